@@ -1,0 +1,27 @@
+#include "fitting/eos/list.hpp"
+#include <algorithm>
+
+namespace mesobridge::fitting {
+
+std::vector<Material> const& materials() {
+  static std::vector<Material> const list{
+      {"argon", "Lennard-Jones argon, BWR of Johnson et al. 1993 continued below 100 K, m0 = 6.64e-26 kg, SI",
+       LjBwr(lj_bwr_1993, argon_units)},
+      {"lj", "Lennard-Jones fluid, BWR of Johnson et al. 1993 continued below T* = 0.8332, reduced units",
+       LjBwr(lj_bwr_1993)},
+      {"ideal-gas", "monatomic ideal gas, m0 = 1e-25 kg (the thesis's test gas), SI", IdealGas(1e-25)},
+  };
+  return list;
+}
+
+Material const& material(std::string_view name) {
+  auto const found = std::ranges::find(materials(), name, &Material::name);
+  if (found != materials().end())
+    return *found;
+  std::string names;
+  for (auto const& known : materials())
+    names += (names.empty() ? "" : ", ") + known.name;
+  throw InputError(fmt::format("no material is named '{}'; the built-in ones are {}", name, names));
+}
+
+} // namespace mesobridge::fitting

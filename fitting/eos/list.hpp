@@ -1,0 +1,28 @@
+#pragma once
+#include "fitting/eos/ideal_gas.hpp"
+#include "fitting/eos/lj_bwr.hpp"
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace mesobridge::fitting {
+
+/// Every equation of state; the generic tests run over this list. Choose once by std::visit, outside the
+/// loop.
+using AnyEos = std::variant<IdealGas, LjBwr>;
+
+/// A material that needs no file.
+struct Material {
+  std::string name;
+  std::string description; ///< one line, with units and source
+  AnyEos eos;
+};
+
+/// `argon` (SI), `lj` (Lennard-Jones units), `ideal-gas` (SI).
+std::vector<Material> const& materials();
+
+/// Throws InputError that lists the names when there is no such material.
+Material const& material(std::string_view name);
+
+} // namespace mesobridge::fitting
