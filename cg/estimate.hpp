@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,56 @@ struct Estimate {
 /// True when the estimate lies within z standard errors of the value.
 bool agrees(Estimate const& estimate, double value, double z);
 
-/// How many standard errors the estimate is away from the value (signed).
+/// How many standard errors the estimate is away from the value (signed); an exact estimate (se = 0) is 0
+/// away from its own mean and infinitely far from every other value.
 double deviation(Estimate const& estimate, double value);
+
+/// The memory of a stationary series x_1 ... x_n taken at equal intervals.
+struct Autocorrelation {
+  double variance = 0; ///< of one sample, freed from the bias that the unknown mean brings
+  double tau =
+      0.5; ///< integrated autocorrelation time 1/2 + sum_{t>0} rho(t), in samples: 1/2 without memory
+  double tau_se = 0;      ///< standard error of tau
+  std::size_t window = 0; ///< where the sum over t was cut
+
+  /// Samples per independent sample, 2 tau.
+  double inefficiency() const { return 2 * tau; }
+};
+
+/// Autocovariance Gamma(t) = <(x_i - mean)(x_{i+t} - mean)> for t = 0 ... max_lag, each over its n - t pairs.
+/// By FFT, O(n log n). Throws InputError for fewer than 2 samples, max_lag >= n, or a sample that is not
+/// finite.
+std::vector<double> autocovariance(std::span<double const> series, std::size_t max_lag);
+
+/// Integrated autocorrelation time by the Gamma method: the automatic window that balances truncation and
+/// noise and the correction of the O(1/n) bias of Wolff, Comput. Phys. Commun. 156, 143 (2004), section 3,
+/// with S = 1.5. Throws InputError for fewer than 4 samples or a sample that is not finite.
+Autocorrelation autocorrelation_time(std::span<double const> series);
+
+/// Mean and standard error from the integrated autocorrelation time.
+Estimate estimate_by_autocorrelation(std::span<double const> series);
+
+/// Mean and standard error by averaging over blocks (Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989));
+/// block lengths are powers of two and the plateau is taken at the first length B with B^3 > 2 n
+/// (se_B/se_1)^4 (Lee et al., Phys. Rev. E 83, 066706 (2011)); the longest with 8 blocks if there is none.
+/// Throws InputError for fewer than 16 samples.
+Estimate estimate_by_blocking(std::span<double const> series);
+
+/// Mean and standard error: by autocorrelation time, cross-checked by blocking. Where blocking finds an error
+/// that is larger by more than three times its own uncertainty (a slow mode of small amplitude, which the
+/// window cuts), that larger error is returned. Throws InputError for fewer than 16 samples.
+Estimate estimate_mean(std::span<double const> series);
+
+/// Variance of one sample with its standard error (the error propagated linearly through the squared
+/// deviations, with their own correlation time).
+Estimate estimate_variance(std::span<double const> series);
+
+/// Covariance of the means of two series taken at the same instants, with their correlation in time.
+double covariance_of_means(std::span<double const> a, std::span<double const> b);
+
+/// Any statistic of a series with its jackknife error over blocks left out in turn, freed from its O(1/n)
+/// bias. The blocks must be several correlation times long. 2 <= blocks <= n/2.
+Estimate block_jackknife(std::span<double const> series, std::size_t blocks,
+                         std::function<double(std::span<double const>)> const& statistic);
 
 } // namespace mesobridge::cg

@@ -8,8 +8,8 @@ namespace mesobridge::cg {
 
 /// What one NVT run tells of its state, in Lennard-Jones units, per atom.
 struct StatePoint {
-  double rho = 0;    ///< set density
-  double T = 0;      ///< set temperature
+  double rho = 0; ///< set density
+  double T = 0;   ///< set temperature
   int atoms = 0;
   Estimate T_kin;    ///< measured kinetic temperature
   Estimate U;        ///< total energy per atom
@@ -28,7 +28,10 @@ struct StateGrid {
 };
 
 /// Detects and cuts the equilibration, then estimates every quantity of the point with its standard error.
-/// Throws PhysicsError when fewer than 10 independent samples remain.
+/// The measured kinetic parts of U and P are replaced by the exact ones at the set temperature, which lowers
+/// the noise; so the samples must come from the canonical ensemble. rho, T, U and P in Lennard-Jones units.
+/// Throws InputError for fewer than 40 samples or a sample that is not finite, PhysicsError when fewer than
+/// 10 independent samples remain.
 StatePoint analyse_state(double rho, double T, int atoms, std::span<md::ThermoSample const> samples);
 
 } // namespace mesobridge::cg
