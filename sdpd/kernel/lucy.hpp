@@ -1,0 +1,31 @@
+#pragma once
+#include <numbers>
+
+namespace mesobridge::sdpd {
+
+/// Lucy's kernel with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r.
+class LucyKernel {
+ public:
+  static constexpr char const* name = "lucy";
+
+  explicit LucyKernel(double h)
+      : inv_h_(1 / h), W_norm_(105 / (16 * std::numbers::pi * h * h * h)),
+        F_norm_(315 / (4 * std::numbers::pi * h * h * h * h * h)) {}
+
+  /// Valid for 0 <= r <= h; units of 1/h^3.
+  double W(double r) const {
+    double const u = r * inv_h_;
+    return W_norm_ * (1 + 3 * u) * (1 - u) * (1 - u) * (1 - u);
+  }
+
+  /// Valid for 0 <= r <= h; units of 1/h^5.
+  double F(double r) const {
+    double const u = r * inv_h_;
+    return F_norm_ * (1 - u) * (1 - u);
+  }
+
+ private:
+  double inv_h_, W_norm_, F_norm_;
+};
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,64 @@
+#pragma once
+#include "md/error.hpp"
+#include <cmath>
+
+namespace mesobridge::sdpd {
+
+/// What one exact Ornstein-Uhlenbeck step over dt does to the relative velocity of a pair in one direction:
+/// v' = (1 + decay) v + kick G, with G a standard Gaussian number (theory sheet, section 3, SSA).
+struct OrnsteinUhlenbeck {
+  double decay; ///< exp(-2 gamma dt / m) - 1
+  double kick;  ///< the standard deviation zeta
+};
+
+/// exp(-x) - 1 for x >= 0 without cancellation. Up to 1/2 by a Pade approximant of tanh(x/2), right to
+/// round-off.
+inline double minus_expm1(double x) {
+  if (x > 0.5) [[unlikely]]
+    return std::expm1(-x);
+  double const y = 0.5 * x, z = y * y;
+  double const numerator = y * (945 + z * (105 + z));
+  double const denominator = 945 + z * (420 + 15 * z);
+  return -2 * numerator / (denominator + numerator);
+}
+
+/// Friction and noise of an SDPD pair of equal masses m = 1 at one pair of temperatures (theory sheet,
+/// Eq. 2.16). Friction gamma_theta = a_theta (1-d) and noise sigma_theta^2 = 4 a_theta k_B T_i T_j /
+/// (T_i+T_j) come from the same numbers here and nowhere else, so that the fluctuation-dissipation relation
+/// cannot be broken.
+struct PairBath {
+  double one_minus_d; ///< the factor that a finite heat capacity puts on the friction
+  double thermal;     ///< 4 k_B T_i T_j / (T_i + T_j) / (1 - d) = sigma^2 / gamma
+
+  PairBath(double boltzmann, double T_i, double T_j, double inverse_C_i, double inverse_C_j) {
+    double const inverse_sum = 1 / (T_i + T_j);
+    double const mean = boltzmann * T_i * T_j * inverse_sum;
+    one_minus_d = 1 - mean * inverse_sum * (inverse_C_i + inverse_C_j);
+    thermal = 4 * mean / one_minus_d;
+  }
+
+  /// One direction with friction coefficient `a` (without the factor 1-d) over the time dt.
+  OrnsteinUhlenbeck step(double a, double dt) const {
+    double const decay = minus_expm1(2 * a * one_minus_d * dt);
+    return {decay, std::sqrt(thermal * -decay * (2 + decay))};
+  }
+};
+
+/// The two friction coefficients of a fluid with shear viscosity eta and bulk viscosity zeta (reduced units):
+/// a_perp = (5 eta/3 - zeta) chi and a_par = (10 eta/3 + 4 zeta) chi, chi = m_i m_j F_ij / (rho_i rho_j)
+/// (Eq. 1.33).
+class SdpdFriction {
+ public:
+  SdpdFriction(double eta, double zeta) : perp_(5 * eta / 3 - zeta), par_(10 * eta / 3 + 4 * zeta) {
+    require(eta >= 0 && std::isfinite(eta), "shear viscosity eta", eta, "must be >= 0");
+    require(zeta >= 0 && perp_ >= 0, "bulk viscosity zeta", zeta,
+            "must lie between 0 and 5 eta/3, or the transverse friction turns negative");
+  }
+  double perp(double chi) const { return perp_ * chi; }
+  double par(double chi) const { return par_ * chi; }
+
+ private:
+  double perp_, par_;
+};
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+namespace mesobridge::sdpd {
+
+/// Philox4x32-10, the counter-based generator of Salmon, Moraes, Dror and Shaw (SC'11): 128 random bits as a
+/// pure function of a 128-bit counter and a 64-bit key.
+struct Philox4x32 {
+  using Counter = std::array<std::uint32_t, 4>;
+  using Key = std::array<std::uint32_t, 2>;
+
+  static constexpr std::uint32_t multiplier_0 = 0xD2511F53, multiplier_1 = 0xCD9E8D57;
+  static constexpr std::uint32_t weyl_0 = 0x9E3779B9, weyl_1 = 0xBB67AE85;
+  static constexpr int rounds = 10;
+
+  static constexpr Counter generate(Counter c, Key k) {
+    for (int round = 0; round < rounds; ++round) {
+      std::uint64_t const a = std::uint64_t{multiplier_0} * c[0];
+      std::uint64_t const b = std::uint64_t{multiplier_1} * c[2];
+      c = {static_cast<std::uint32_t>(b >> 32) ^ c[1] ^ k[0], static_cast<std::uint32_t>(b),
+           static_cast<std::uint32_t>(a >> 32) ^ c[3] ^ k[1], static_cast<std::uint32_t>(a)};
+      k[0] += weyl_0, k[1] += weyl_1;
+    }
+    return c;
+  }
+};
+
+/// What a random number is for: streams never share a counter.
+enum class Stream : std::uint32_t { fluctuation = 0, initial_velocities = 1 };
+
+/// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.
+struct NoiseSource {
+  Philox4x32::Key key;
+  std::uint32_t step_low, step_high_and_stream;
+
+  /// step < 2^56
+  NoiseSource(std::uint64_t seed, Stream stream, std::uint64_t step)
+      : key{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+        step_low(static_cast<std::uint32_t>(step)),
+        step_high_and_stream(static_cast<std::uint32_t>(step >> 32) << 8 |
+                             static_cast<std::uint32_t>(stream)) {}
+};
+
+/// Pairs are served in groups of this many lanes, so that the compiler fills whole vector registers and the
+/// result of a pair never depends on its place in a loop.
+inline constexpr int noise_lanes = 16;
+
+/// Three standard Gaussian numbers for each lane.
+struct GaussianLanes {
+  alignas(64) std::array<float, noise_lanes> x, y, z;
+};
+
+/// Three standard Gaussian numbers for each of noise_lanes pairs of ids (Box-Muller on Philox4x32-10). Single
+/// precision is enough: the law is right to 1e-7, and what the noise drives conserves momentum and energy to
+/// double round-off all the same. The largest value is sqrt(2 ln 2^32) = 6.66.
+void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
+               GaussianLanes& out);
+
+/// The same three numbers for one pair of ids, by the plain library functions: the reference for the fast
+/// one.
+std::array<double, 3> gaussians_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b);
+
+} // namespace mesobridge::sdpd

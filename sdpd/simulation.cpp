@@ -1,0 +1,221 @@
+#include "sdpd/simulation.hpp"
+#include "sdpd/engine.hpp"
+#include "sdpd/kernel/cubic.hpp"
+#include "sdpd/kernel/lucy.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// Skin of the neighbour lists. A particle moves by about sqrt(dt^2/K) a step: small particles are fast and
+/// want a wide skin, large ones a narrow one. The values were found by timing K = 10 and K = 1000.
+double default_skin(double K) {
+  return K < 100 ? 0.4 : 0.25;
+}
+
+void validate(SimulationSettings const& s) {
+  require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
+  require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
+  bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
+  require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
+          ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
+                : "must be >= 1");
+  require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
+  require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
+  require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
+  require(s.threads >= 1, "threads", s.threads, "must be >= 1");
+  for (auto const n : s.lattice)
+    require(n >= 1, "particles along an edge", n, "must be >= 1");
+}
+
+std::size_t particle_count(SimulationSettings const& s) {
+  return std::size_t{s.lattice[0]} * s.lattice[1] * s.lattice[2];
+}
+
+/// Positions on a simple cubic lattice of spacing 1 (the mean distance between particles), ids in its order.
+void place_on_lattice(Particles& particles, std::array<std::uint32_t, 3> const& lattice) {
+  std::uint32_t id = 0;
+  for (std::uint32_t z = 0; z < lattice[2]; ++z)
+    for (std::uint32_t y = 0; y < lattice[1]; ++y)
+      for (std::uint32_t x = 0; x < lattice[0]; ++x, ++id) {
+        particles.id[id] = id;
+        particles.q[id] = {x + 0.5, y + 0.5, z + 0.5};
+      }
+}
+
+/// Maxwell velocities at T = 1 whose sum is zero and whose kinetic energy is exactly (3/2)(N-1) k_B T.
+void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
+  NoiseSource const source(seed, Stream::initial_velocities, 0);
+  Vec3 sum{};
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    auto const G = gaussians_reference(source, particles.id[i], 0);
+    sum += particles.p[i] = {G[0], G[1], G[2]};
+  }
+  double const count = static_cast<double>(particles.size());
+  double square = 0;
+  for (auto& p : particles.p)
+    square += norm2(p -= sum / count);
+  double const scale = std::sqrt(3 * (count - 1) * boltzmann / square);
+  for (auto& p : particles.p)
+    p *= scale;
+}
+
+template <class Kernel, class Eos>
+std::unique_ptr<Simulation::Engine> build(SimulationSettings const& s, Eos const& eos) {
+  ReducedUnits const units = s.units();
+  Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
+  double const share = std::is_same_v<Eos, fitting::IdealGas> ? (s.K - 1) / s.K : 1.0;
+  double const h = s.h_factor;
+  System<Eos, Kernel> system{
+      .box = box,
+      .eos = ParticleEos<Eos>(eos, units, share),
+      .kernel = Kernel(h),
+      .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
+      .neighbours = Neighbours(box, h, s.skin > 0 ? s.skin : default_skin(s.K), s.threads),
+      .particles = {},
+      .boltzmann = 1 / s.K,
+      .seed = s.seed,
+      .threads = s.threads,
+      .scratch = {},
+  };
+  system.particles.resize(particle_count(s));
+  place_on_lattice(system.particles, s.lattice);
+  draw_momenta(system.particles, system.boltzmann, s.seed);
+  std::fill(system.particles.T.begin(), system.particles.T.end(), 1.0);
+  auto engine = std::make_unique<EngineFor<Eos, Kernel>>(std::move(system));
+  engine->set_energies_from_temperatures();
+  engine->refresh();
+  return engine;
+}
+
+} // namespace
+
+ReducedUnits SimulationSettings::units() const {
+  return std::visit(
+      [this](auto const& model) {
+        return ReducedUnits{.K = K,
+                            .m0 = model.molecular_mass(),
+                            .density = rho,
+                            .temperature = T,
+                            .boltzmann = model.boltzmann()};
+      },
+      eos);
+}
+
+Simulation::Simulation(SimulationSettings const& settings) : units_(settings.units()), dt_(settings.dt) {
+  validate(settings);
+  engine_ = std::visit(
+      [&](auto const& eos) {
+        return settings.kernel == KernelKind::cubic ? build<CubicKernel>(settings, eos)
+                                                    : build<LucyKernel>(settings, eos);
+      },
+      settings.eos);
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::advance(std::uint64_t steps) {
+  engine_->advance(steps, dt_);
+}
+Observation Simulation::observe() const {
+  return engine_->observe();
+}
+Box const& Simulation::box() const {
+  return engine_->box();
+}
+std::size_t Simulation::size() const {
+  return engine_->particles().size();
+}
+std::uint64_t Simulation::list_renewals() const {
+  return engine_->renewals();
+}
+
+void Simulation::set_time_step(double dt) {
+  require(dt > 0 && std::isfinite(dt), "time step dt", dt, "must be > 0 and finite (reduced units)");
+  dt_ = dt;
+}
+
+double Simulation::neighbours() const {
+  return 2.0 * static_cast<double>(engine_->neighbours().pair_count()) / static_cast<double>(size());
+}
+
+Snapshot Simulation::snapshot() const {
+  auto const& particles = engine_->particles();
+  std::size_t const n = particles.size();
+  Snapshot s{std::vector<Vec3>(n),   std::vector<Vec3>(n),   std::vector<double>(n),
+             std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    auto const id = particles.id[i];
+    s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i], s.eps[id] = particles.eps[i];
+    s.rho[id] = particles.rho[i], s.T[id] = particles.T[i], s.P[id] = particles.P[i];
+  }
+  return s;
+}
+
+void Simulation::heat(double rise) {
+  auto const C = engine_->heat_capacities();
+  auto& eps = engine_->particles().eps;
+  for (std::size_t i = 0; i < eps.size(); ++i)
+    eps[i] += C[i] * rise;
+  engine_->refresh();
+}
+
+double Simulation::heat_capacity() const {
+  double sum = 0;
+  for (double const C : engine_->heat_capacities())
+    sum += C * units_.K; // reduced C counts in K k_B
+  return sum + 1.5 * (static_cast<double>(size()) - 1);
+}
+
+Checkpoint Simulation::checkpoint() const {
+  auto const& particles = engine_->particles();
+  auto const renewed = engine_->neighbours().positions_at_renewal();
+  return {engine_->step(), particles.id,  particles.q, {renewed.begin(), renewed.end()},
+          particles.p,     particles.eps, particles.T};
+}
+
+void Simulation::restore(Checkpoint const& c) {
+  auto& particles = engine_->particles();
+  std::size_t const n = size();
+  for (auto const length :
+       {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size(), c.eps.size(), c.T.size()})
+    require(length == n, "particles in the checkpoint", length, fmt::format("must be {} as in the scene", n));
+  // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
+  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
+  particles.q = c.q_at_renewal;
+  engine_->neighbours().renew(particles);
+  particles.q = c.q;
+  engine_->step() = c.step;
+  engine_->refresh_at_known_temperatures();
+}
+
+void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
+  // Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps.
+  std::array<double, 6> const shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, 0.5};
+  std::uint64_t done = 0;
+  double share_done = 0;
+  for (double const share : shares) {
+    share_done += share;
+    auto const end = static_cast<std::uint64_t>(share_done * static_cast<double>(steps));
+    if (end == done)
+      continue;
+    double const n = static_cast<double>(simulation.size());
+    // The weights are the heat capacities: so weighted, most of the exchange between the two kinds of energy,
+    // which makes each temperature fluctuate, cancels.
+    double const kinetic_share = 1.5 * (n - 1) / simulation.heat_capacity();
+    double sum = 0;
+    std::uint64_t count = 0;
+    for (; done < end; ++done, ++count) {
+      simulation.advance(1);
+      Observation const now = simulation.observe();
+      sum += kinetic_share * now.T_kin + (1 - kinetic_share) * now.T_int;
+      if (done % 32 == 0 && !keep_going())
+        throw Interrupted("stopped while the system came to equilibrium");
+    }
+    double const missing = 1 - sum / static_cast<double>(count);
+    simulation.heat(missing / (1 - kinetic_share));
+  }
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,97 @@
+#pragma once
+#include "fitting/eos/list.hpp"
+#include "sdpd/observe/observation.hpp"
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace mesobridge::sdpd {
+
+enum class KernelKind { cubic, lucy };
+
+/// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the equation of state
+/// (SI, but for reduced models), except where it says reduced.
+struct SimulationSettings {
+  fitting::AnyEos eos;
+  double rho = 0; ///< mean density, > 0
+  double T = 0;   ///< set temperature, > 0
+  double K = 0;   ///< size of a particle in atoms or molecules, >= 1 (> 1 for the ideal gas)
+  std::array<std::uint32_t, 3> lattice{10, 10,
+                                       10}; ///< particles along each edge of the initial cubic lattice
+  KernelKind kernel = KernelKind::cubic;
+  double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
+  double eta = 0;        ///< shear viscosity
+  double zeta = 0;       ///< bulk viscosity, < 5 eta/3
+  double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from K
+  double dt = 0;         ///< time step, reduced, > 0
+  std::uint64_t seed = 1;
+  int threads = 1;
+
+  ReducedUnits units() const;
+};
+
+/// All that a later run needs to go on bit for bit; particles in the order of memory.
+struct Checkpoint {
+  std::uint64_t step = 0;
+  std::vector<std::uint32_t> id;
+  std::vector<Vec3> q, q_at_renewal, p;
+  std::vector<double> eps, T;
+};
+
+/// Per-particle values in the order of the ids, reduced.
+struct Snapshot {
+  std::vector<Vec3> q; ///< in the box
+  std::vector<Vec3> p;
+  std::vector<double> eps, rho, T, P;
+};
+
+/// An SDPD fluid in a periodic box, integrated by Velocity Verlet and SSA. All results in reduced units
+/// (units()). Results are identical to the bit for any number of threads.
+class Simulation {
+ public:
+  /// Cubic lattice, Maxwell velocities without total momentum, every particle at T. Throws InputError that
+  /// names the quantity that is out of bounds.
+  explicit Simulation(SimulationSettings const& settings);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Throws PhysicsError when a particle leaves the equation of state or turns unstable.
+  void advance(std::uint64_t steps);
+
+  Observation observe() const;
+  Snapshot snapshot() const;
+  ReducedUnits const& units() const { return units_; }
+  Box const& box() const;
+  std::size_t size() const;
+  double neighbours() const; ///< mean number per particle within the kernel's support
+  std::uint64_t list_renewals() const;
+
+  /// Adds `heat` times its heat capacity to every particle's energy: the temperature rises by about `heat`
+  /// (reduced).
+  void heat(double rise);
+  /// Total heat capacity dE/dT, internal and kinetic, in k_B.
+  double heat_capacity() const;
+  /// Stops the motion of the whole and sets nothing else.
+  void set_time_step(double dt);
+  double time_step() const { return dt_; }
+
+  Checkpoint checkpoint() const;
+  /// Throws InputError when the checkpoint does not belong to these settings.
+  void restore(Checkpoint const& checkpoint);
+
+  class Engine; ///< the templates behind it
+ private:
+  ReducedUnits units_;
+  double dt_;
+  std::unique_ptr<Engine> engine_;
+};
+
+/// Brings a fresh simulation to equilibrium at its set temperature: runs of growing length, after each of
+/// which the difference between the mean temperature of the run and the set one is taken out as heat. Ends
+/// with a microcanonical system whose mean temperature is the set one within the noise of the last run (half
+/// of all steps). `keep_going` is asked now and then; when it says no, Interrupted is thrown.
+void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going);
+
+} // namespace mesobridge::sdpd
