@@ -2,7 +2,7 @@
 #include "fitting/eos/temperature_series.hpp"
 #include <array>
 #include <cmath>
-#include <utility>
+#include <type_traits>
 
 namespace mesobridge::fitting::bwr {
 
@@ -12,6 +12,7 @@ inline constexpr int polynomials = 8;
 inline constexpr int exponentials = 6;
 inline constexpr int densities = polynomials + exponentials;
 inline constexpr int parameters = 32;
+inline constexpr int series_terms = TemperatureSeries<double>::terms;
 
 using Parameters = std::array<double, parameters>;
 
@@ -46,58 +47,100 @@ struct DensityFunctions {
   std::array<X, densities> f, p, q;
 };
 
-/// G_6 by its series in z = gamma rho^2 < 1, where the upward recursion would lose digits to cancellation:
-///   G_6 = (rho^12 F / 2) sum_k z^k 5!/(6+k)!
+/// G_1 ... G_6 for z = gamma rho^2 >= 1:  G_i = (i-1)!/(2 gamma^i) [1 - F sum_{k<i} z^k/k!].
+/// The sums do not wait for the exponential, which makes this faster than the published recursion.
 template <class X>
-X last_exponential_by_series(X rho_12, X F, X z) {
+void exponential_functions(X z, X F, double gamma, X* G) {
+  double const inverse = 1 / gamma;
+  double factor = 0.5 * inverse;
+  X sum = 1.0, term = 1.0;
+  for (int i = 1; i <= exponentials; ++i) {
+    G[i - 1] = factor * (1.0 - F * sum);
+    factor *= i * inverse;
+    term *= z * (1.0 / i);
+    sum += term;
+  }
+}
+
+/// The same for z < 1, where the difference above would lose digits: G_6 by its series and the recursion
+/// downward,
+///   G_6 = (rho^12 F / 2) sum_k z^k 5!/(6+k)!,   G_{i-1} = (2 gamma G_i + F rho^(2i-2))/(2(i-1)).
+template <class X>
+void exponential_functions_at_low_density(X rho_2, X z, X F, double gamma, X* G) {
   constexpr int last = 16; // z^17 5!/23! < 1e-20
   X sum = 1.0;
   for (int k = last; k > 0; --k)
-    sum = 1.0 + sum * z * (1.0 / (6.0 + k));
-  return rho_12 * F * sum * (1.0 / 12.0);
+    sum = 1.0 + sum * z * (1.0 / (exponentials + k));
+  std::array<X, exponentials + 1> F_powers{F}; // F rho^(2i)
+  for (int i = 1; i <= exponentials; ++i)
+    F_powers[i] = F_powers[i - 1] * rho_2;
+  G[exponentials - 1] = F_powers[exponentials] * sum * (0.5 / exponentials);
+  for (int i = exponentials; i > 1; --i)
+    G[i - 2] = (2.0 * gamma * G[i - 1] + F_powers[i - 1]) * (0.5 / (i - 1));
+}
+
+/// Powers rho^1 ... rho^13 by products of halves (a short chain of dependent multiplications).
+template <class X>
+std::array<X, 2 * exponentials + 2> density_powers(X rho) {
+  std::array<X, 2 * exponentials + 2> power{X(1.0), rho};
+  for (std::size_t n = 2; n < power.size(); ++n)
+    power[n] = power[n / 2] * power[n - n / 2];
+  return power;
 }
 
 template <class X>
 DensityFunctions<X> density_functions(X rho, double gamma) {
   DensityFunctions<X> basis;
-  X power = rho; // rho^i
+  auto const power = density_powers(rho);
+  X const z = gamma * power[2], F = std::exp(-z);
   for (int i = 1; i <= polynomials; ++i) {
-    basis.f[i - 1] = power * (1.0 / i);
-    basis.q[i - 1] = (i + 1.0) * power;
-    power *= rho;
-    basis.p[i - 1] = power;
+    basis.f[i - 1] = power[i] * (1.0 / i);
+    basis.p[i - 1] = power[i + 1];
+    basis.q[i - 1] = (i + 1.0) * power[i];
   }
-  X const rho_2 = rho * rho, z = gamma * rho_2, F = std::exp(-z);
-  X* const G = basis.f.data() + polynomials - 1; // G[1] ... G[6]
-  X even = F;                                    // F rho^(2i-2)
-  std::array<X, exponentials + 1> even_powers;
   for (int i = 1; i <= exponentials; ++i) {
-    even_powers[i] = even;
-    even *= rho_2;
-    basis.p[polynomials + i - 1] = even * rho;
-    basis.q[polynomials + i - 1] = even * (2.0 * i + 1.0 - 2.0 * z);
+    basis.p[polynomials + i - 1] = F * power[2 * i + 1];
+    basis.q[polynomials + i - 1] = F * power[2 * i] * (2.0 * i + 1.0 - 2.0 * z);
   }
-  double const half = 0.5 / gamma;
-  if (real_part(z) < 1.0) {
-    G[exponentials] = last_exponential_by_series(X(rho_2 * rho_2 * rho_2 * rho_2 * rho_2 * rho_2), F, z);
-    for (int i = exponentials; i > 1; --i)
-      G[i - 1] = (2.0 * gamma * G[i] + even_powers[i]) * (0.5 / (i - 1));
-  } else {
-    G[1] = (1.0 - F) * half;
-    for (int i = 2; i <= exponentials; ++i)
-      G[i] = (2.0 * (i - 1) * G[i - 1] - even_powers[i]) * half;
-  }
+  X* const G = basis.f.data() + polynomials;
+  if (real_part(z) < 1.0)
+    exponential_functions_at_low_density(power[2], z, F, gamma, G);
+  else
+    exponential_functions(z, F, gamma, G);
   return basis;
 }
 
-/// sum_j x_j f_j gathered by powers of temperature; unrolled at compile time.
-template <class X>
-TemperatureSeries<X> gather(Parameters const& x, std::array<X, densities> const& f) {
-  TemperatureSeries<X> series;
-  [&]<std::size_t... j>(std::index_sequence<j...>) {
-    ((series.c[table[j].power] += x[j] * f[table[j].density]), ...);
+/// The parameters as a matrix [density function][power of T], so that collapsing them at one density is three
+/// small products of a vector with a matrix. The rows are vectors of the compiler (GCC, Clang): left to
+/// itself, it keeps the sums in memory and takes four times as long.
+struct Matrix {
+  using Row = double __attribute__((vector_size(series_terms * sizeof(double))));
+
+  explicit Matrix(Parameters const& x) {
+    for (int j = 0; j < parameters; ++j)
+      rows[table[j].density][table[j].power] = x[j];
   }
-  (std::make_index_sequence<parameters>{});
+  std::array<Row, densities> rows{};
+};
+
+/// sum_d f_d(rho) M_d: the free energy (or p, or q) at one density as a series in temperature.
+template <class X>
+TemperatureSeries<X> gather(Matrix const& M, std::array<X, densities> const& f) {
+  TemperatureSeries<X> series;
+  if constexpr (std::is_same_v<X, double>) {
+    Matrix::Row even{}, odd{};
+    for (int d = 0; d < densities; d += 2) {
+      even += f[d] * M.rows[d];
+      odd += f[d + 1] * M.rows[d + 1];
+    }
+    Matrix::Row const sum = even + odd;
+    for (int m = 0; m < series_terms; ++m)
+      series.c[m] = sum[m];
+  } else {
+    for (int d = 0; d < densities; ++d)
+      for (int m = 0; m < series_terms; ++m)
+        series.c[m] += f[d] * M.rows[d][m];
+  }
   return series;
 }
 

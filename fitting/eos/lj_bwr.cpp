@@ -5,7 +5,8 @@
 namespace mesobridge::fitting {
 
 LjBwr::LjBwr(LjBwrSet const& set, std::optional<LjUnits> units)
-    : set_(set), units_(units), scale_(LjScale::of(units)), rho_max_(set.rho_max * scale_.density) {
+    : set_(set), matrix_(set.x), units_(units), scale_(LjScale::of(units)),
+      rho_max_(set.rho_max * scale_.density) {
   for (int j = 0; j < bwr::parameters; ++j)
     require(std::isfinite(set.x[j]), fmt::format("LJ-BWR x{}", j + 1), set.x[j], "must be finite");
   require(set.gamma > 0 && std::isfinite(set.gamma), "LJ-BWR gamma", set.gamma, "must be > 0");

@@ -36,7 +36,7 @@ class LjBwr {
   BasicLjBwrIsochore<X> isochore(X rho) const {
     if (!(real_part(rho) > 0 && real_part(rho) <= rho_max_))
       refuse_density(real_part(rho));
-    return {set_, scale_, rho};
+    return {set_, matrix_, scale_, rho};
   }
 
   double temperature(double e, double rho) const {
@@ -68,6 +68,7 @@ class LjBwr {
   void require_temperature(double T, double rho) const;
 
   LjBwrSet set_;
+  bwr::Matrix matrix_;
   std::optional<LjUnits> units_;
   LjScale scale_;
   double rho_max_; // in the model's units

@@ -20,8 +20,8 @@ struct LjBwrSet {
 template <class X>
 class BasicLjBwrIsochore {
  public:
-  BasicLjBwrIsochore(LjBwrSet const& set, LjScale const& scale, X rho)
-      : BasicLjBwrIsochore(set, scale, rho, bwr::density_functions(X(rho / scale.density), set.gamma)) {}
+  BasicLjBwrIsochore(LjBwrSet const& set, bwr::Matrix const& M, LjScale const& scale, X rho)
+      : BasicLjBwrIsochore(set, M, scale, rho, bwr::density_functions(X(rho / scale.density), set.gamma)) {}
 
   X density() const { return rho_ * scale_.density; }
   /// Residual free energy A_res (no ideal part).
@@ -35,7 +35,7 @@ class BasicLjBwrIsochore {
   }
   X entropy(X T) const {
     X const t = reduced(T);
-    return scale_.specific_entropy() * (1.5 * std::log(t) - log_rho_ + A_.entropy(t));
+    return scale_.specific_entropy() * (std::log(t * std::sqrt(t) / rho_) + A_.entropy(t));
   }
   X heat_capacity(X T) const { return scale_.specific_entropy() * (1.5 + A_.heat_capacity(reduced(T))); }
   X heat_capacity_slope(X T) const {
@@ -73,10 +73,11 @@ class BasicLjBwrIsochore {
     double value, slope, curvature;
   };
 
-  BasicLjBwrIsochore(LjBwrSet const& set, LjScale const& scale, X rho, bwr::DensityFunctions<X> const& basis)
-      : A_(bwr::gather(set.x, basis.f), set.T_low), P_(bwr::gather(set.x, basis.p), set.T_low),
-        P_slope_(bwr::gather(set.x, basis.q), set.T_low), rho_(rho / scale.density), log_rho_(std::log(rho_)),
-        T_max_(set.T_max), scale_(scale) {}
+  BasicLjBwrIsochore(LjBwrSet const& set, bwr::Matrix const& M, LjScale const& scale, X rho,
+                     bwr::DensityFunctions<X> const& basis)
+      : A_(bwr::gather(M, basis.f), set.T_low), P_(bwr::gather(M, basis.p), set.T_low),
+        P_slope_(bwr::gather(M, basis.q), set.T_low), rho_(rho / scale.density), T_max_(set.T_max),
+        scale_(scale) {}
 
   double e_unit() const { return scale_.specific_energy; }
   X reduced(X T) const { return T / scale_.temperature; }
@@ -86,7 +87,7 @@ class BasicLjBwrIsochore {
   }
   Jet entropy_jet(double t) const {
     double const c = 1.5 + A_.heat_capacity(t), inverse = 1 / t;
-    return {1.5 * std::log(t) - log_rho_ + A_.entropy(t), c * inverse,
+    return {std::log(t * std::sqrt(t) / rho_) + A_.entropy(t), c * inverse,
             (A_.heat_capacity_slope(t) - c * inverse) * inverse};
   }
 
@@ -110,8 +111,8 @@ class BasicLjBwrIsochore {
   [[noreturn]] void refuse(double target, Given given, std::string_view why) const;
 
   ContinuedSeries<X> A_, P_, P_slope_;
-  X rho_, log_rho_; // reduced
-  double T_max_;    // reduced
+  X rho_;        // reduced
+  double T_max_; // reduced
   LjScale scale_;
 };
 

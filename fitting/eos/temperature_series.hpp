@@ -18,7 +18,7 @@ inline double real_part(std::complex<double> x) {
 /// so are rho^2 dA/drho (whose "value" is the pressure, and minus its "entropy" is dP/dT) and d/drho of that.
 template <class X>
 struct TemperatureSeries {
-  static constexpr int terms = 7;
+  static constexpr int terms = 8; ///< padded to the vector width: the last coefficient stays zero
   std::array<X, terms> c{};
 
   X value(X T) const {
