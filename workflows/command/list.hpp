@@ -1,0 +1,14 @@
+#pragma once
+#include "workflows/command.hpp"
+#include <vector>
+
+namespace mesobridge::workflows {
+
+/// Every command of the program, in the order in which the help shows them. A new command is its own file in
+/// this folder, one declaration here and one line in list.cpp.
+std::vector<Command> commands();
+
+Command check_command();
+Command doctor_command();
+
+} // namespace mesobridge::workflows

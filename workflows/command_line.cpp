@@ -1,0 +1,200 @@
+#include "workflows/command_line.hpp"
+#include "md/error.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/nearest.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/version.hpp"
+#include <algorithm>
+#include <iostream>
+#include <omp.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string overview(std::vector<Command> const& commands) {
+  std::size_t width = 0;
+  for (auto const& command : commands)
+    width = std::max(width, command.name.size());
+  std::string text = "mesobridge: from molecular dynamics to mesoscopic models, in one chain\n\n"
+                     "Usage: mesobridge COMMAND [OPTIONS]\n\nCommands:\n";
+  for (auto const& command : commands)
+    text += fmt::format("  {:<{}}  {}\n", command.name, width, command.summary);
+  return text +
+         "\n`mesobridge COMMAND --help` explains a command and shows an example; `mesobridge --version`.\n";
+}
+
+Words names_of(std::vector<Command> const& commands) {
+  Words names;
+  for (auto const& command : commands)
+    names.push_back(command.name);
+  return names;
+}
+
+[[noreturn]] void refuse_unknown_command(Words const& arguments, std::vector<Command> const& commands) {
+  auto const& first = arguments.front();
+  Words in_group;
+  for (auto const& command : commands)
+    if (command.name.starts_with(first + " "))
+      in_group.push_back(command.name);
+  bool const bare_group = !in_group.empty() && (arguments.size() == 1 || arguments[1].starts_with("-"));
+  if (bare_group)
+    throw InputError(fmt::format("'{}' needs one of: {}", first, fmt::join(in_group, ", ")));
+  auto const two_words = arguments.size() > 1 ? first + " " + arguments[1] : first;
+  auto names = names_of(commands);
+  auto hint = did_you_mean(two_words, names);
+  if (hint.empty())
+    hint = did_you_mean(first, names);
+  throw InputError(fmt::format("unknown command '{}'{}", in_group.empty() ? first : two_words,
+                               hint.empty() ? "; `mesobridge --help` lists them all" : hint));
+}
+
+/// The command that the first one or two words name, and how many words its name has.
+std::pair<Command const*, std::size_t> find_command(Words const& arguments,
+                                                    std::vector<Command> const& commands) {
+  for (std::size_t words = std::min<std::size_t>(2, arguments.size()); words >= 1; --words) {
+    auto const name = words == 2 ? arguments[0] + " " + arguments[1] : arguments[0];
+    auto const found =
+        std::find_if(commands.begin(), commands.end(), [&](auto& c) { return c.name == name; });
+    if (found != commands.end())
+      return {&*found, words};
+  }
+  refuse_unknown_command(arguments, commands);
+}
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  auto const add = [&](std::string const& names, auto& target, std::string const& type,
+                       std::string const& text) {
+    return app.add_option(names, target, text)->type_name(type)->group("Common options");
+  };
+  auto const add_flag = [&](std::string const& name, bool& target, std::string const& text) {
+    app.add_flag(name, target, text)->group("Common options");
+  };
+  add_flag("--json", options.json, "Print one JSON object on stdout, everything else on stderr");
+  add("-o,--output", options.output, "PATH", "Where to write");
+  add("--seed", options.seed, "INT", "Seed of all random numbers")
+      ->check(CLI::NonNegativeNumber.description(""));
+  add("--threads", options.threads, "INT", "Threads (default: all cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  add("--ranks", options.ranks, "INT", "MPI ranks for molecular dynamics (default: all cores)")
+      ->check(CLI::Range(1, 65536).description(""));
+  add_flag("--quiet", options.quiet, "No progress and no messages but warnings");
+}
+
+Words option_names(CLI::App const& app) {
+  Words names;
+  for (auto const* option : app.get_options())
+    for (auto const& name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+void refuse_unknown_words(CLI::App const& app, std::string const& command) {
+  for (auto const& word : app.remaining()) {
+    auto const bare = word.substr(0, word.find('='));
+    if (word.starts_with("-"))
+      throw InputError(
+          fmt::format("{}: unknown option '{}'{}", command, bare, did_you_mean(bare, option_names(app))));
+    throw InputError(fmt::format("{}: unexpected argument '{}'", command, word));
+  }
+}
+
+void print_text(std::string const& text) {
+  std::cout << text << (text.empty() || text.ends_with('\n') ? "" : "\n");
+  if (!std::cout.flush())
+    throw EnvironmentError("cannot write to the standard output (is the disk full?)");
+}
+
+/// Parses the words after the command's name; returns false when the user asked for help, which was printed.
+bool parse(CLI::App& app, Words words, std::string const& command) {
+  app.allow_extras();                       // so that a misspelt option gets our message with the nearest one
+  std::reverse(words.begin(), words.end()); // CLI11 takes its words from the back
+  try {
+    app.parse(words);
+  } catch (CLI::CallForHelp const&) {
+    print_text(app.help());
+    return false;
+  } catch (CLI::ParseError const& error) {
+    refuse_unknown_words(app, command);
+    throw InputError(command + ": " + error.what());
+  }
+  refuse_unknown_words(app, command);
+  return true;
+}
+
+void print(Result const& result, bool json) {
+  print_text(json ? checked_dump(result.json) : result.text);
+  if (!result.complaint.empty())
+    throw EnvironmentError(result.complaint);
+}
+
+Context make_context(CommonOptions const& options, Words const& arguments) {
+  auto log =
+      std::make_shared<spdlog::logger>("mesobridge", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  log->set_pattern("%v");
+  log->set_level(options.quiet ? spdlog::level::warn : spdlog::level::info);
+  return {.options = options, .arguments = arguments, .log = std::move(log)};
+}
+
+void run(Words const& arguments, std::vector<Command> const& commands) {
+  if (arguments.empty())
+    throw InputError("which command?\n\n" + overview(commands));
+  if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help")
+    return print_text(overview(commands));
+  if (arguments[0] == "--version")
+    return print_text(fmt::format("mesobridge {} ({})", version(), git_commit()));
+  if (arguments[0].starts_with("-"))
+    throw InputError(fmt::format("'{}': the command comes first, its options after it", arguments[0]));
+
+  auto const [command, words] = find_command(arguments, commands);
+  CLI::App app(command->summary, "mesobridge " + command->name);
+  app.footer("Example:\n  " + command->example);
+  CommonOptions options;
+  auto const action = command->declare(app);
+  add_common_options(app, options);
+  if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, command->name))
+    return;
+  if (options.threads)
+    omp_set_num_threads(*options.threads);
+  catch_interrupts();
+  auto context = make_context(options, arguments);
+  print(action(context), options.json);
+}
+
+} // namespace
+
+Failure describe(std::exception_ptr error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (InputError const& e) {
+    return {bad_input, e.what()};
+  } catch (PhysicsError const& e) {
+    return {physical_failure, e.what()};
+  } catch (EnvironmentError const& e) {
+    return {bad_environment, e.what()};
+  } catch (Interrupted const& e) {
+    return {interrupted, e.what()};
+  } catch (std::bad_alloc const&) {
+    return {bad_environment, "not enough memory"};
+  } catch (std::exception const& e) {
+    return {bad_environment, fmt::format("unexpected failure: {}", e.what())};
+  } catch (...) {
+    return {bad_environment, "unexpected failure of unknown kind"};
+  }
+}
+
+int run_command_line(std::vector<std::string> const& arguments, std::vector<Command> const& commands) {
+  try {
+    run(arguments, commands);
+    return done;
+  } catch (...) {
+    auto const failure = describe(std::current_exception());
+    std::cerr << "mesobridge: " << failure.message << std::endl;
+    return failure.code;
+  }
+}
+
+} // namespace mesobridge::workflows

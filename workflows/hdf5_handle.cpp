@@ -1,0 +1,38 @@
+#include "workflows/hdf5_handle.hpp"
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Causes {
+  std::string system, innermost;
+};
+
+herr_t collect(unsigned, H5E_error2_t const* error, void* data) {
+  auto& causes = *static_cast<Causes*>(data);
+  std::string const description = error->desc ? error->desc : "";
+  constexpr std::string_view key = "error message = '";
+  if (auto const at = description.find(key); at != description.npos && causes.system.empty()) {
+    auto const start = at + key.size();
+    causes.system = description.substr(start, description.find('\'', start) - start);
+  }
+  if (causes.innermost.empty())
+    causes.innermost = description;
+  return 0;
+}
+
+} // namespace
+
+std::string hdf5_cause() {
+  Causes causes;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &causes);
+  if (!causes.system.empty())
+    return causes.system;
+  return causes.innermost.empty() ? "unknown cause" : causes.innermost;
+}
+
+void silence_hdf5() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+} // namespace mesobridge::workflows

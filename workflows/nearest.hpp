@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mesobridge::workflows {
+
+/// The candidate with the smallest edit distance to the word (insertions, deletions, replacements and swaps
+/// of neighbours count one each), or an empty string when none is near enough to be a misspelling.
+std::string nearest(std::string_view word, std::span<std::string const> candidates);
+
+/// "; did you mean 'x'?" or nothing.
+std::string did_you_mean(std::string_view word, std::span<std::string const> candidates);
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,83 @@
+#include "workflows/progress.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <ostream>
+#include <unistd.h>
+#include <utility>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr auto bar_interval = std::chrono::milliseconds(100);
+constexpr auto line_interval = std::chrono::seconds(10);
+constexpr int bar_width = 30;
+constexpr char const* erase_line = "\r\033[K";
+
+} // namespace
+
+std::string duration_text(double seconds) {
+  auto const s = static_cast<long>(seconds + 0.5);
+  if (s < 60)
+    return fmt::format("{} s", s);
+  if (s < 3600)
+    return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+}
+
+Progress::Progress(Style style, std::ostream& out, std::string title, double total,
+                   std::function<Clock::time_point()> now)
+    : style_(style), out_(&out), title_(std::move(title)), total_(total), now_(std::move(now)),
+      start_(now_()), drawn_(start_) {
+  require(total > 0, "total work of '" + title_ + "'", total, "must be > 0");
+}
+
+Progress::~Progress() {
+  // A moved-from object has an empty clock and nothing on the screen.
+  if (now_ && !finished_ && style_ == Style::bar)
+    *out_ << erase_line << std::flush;
+}
+
+void Progress::update(double done, std::string const& note) {
+  if (finished_ || style_ == Style::quiet)
+    return;
+  auto const now = now_();
+  auto const interval = style_ == Style::bar ? Clock::duration(bar_interval) : Clock::duration(line_interval);
+  if (now - drawn_ < interval)
+    return;
+  drawn_ = now;
+  draw(std::chrono::duration<double>(now - start_).count(), done, note);
+}
+
+void Progress::draw(double elapsed, double done, std::string const& note) {
+  double const fraction = std::clamp(done / total_, 0.0, 1.0);
+  auto const left = fraction > 0 ? duration_text(elapsed * (1 - fraction) / fraction) + " left" : "starting";
+  auto const tail = note.empty() ? "" : " · " + note;
+  if (style_ == Style::bar) {
+    auto const filled = static_cast<std::size_t>(fraction * bar_width);
+    *out_ << erase_line
+          << fmt::format("{} [{}{}] {:3.0f} % · {}{}", title_, std::string(filled, '#'),
+                         std::string(bar_width - filled, '.'), 100 * fraction, left, tail);
+  } else {
+    *out_ << fmt::format("{}: {:.0f} % · {}{}\n", title_, 100 * fraction, left, tail);
+  }
+  *out_ << std::flush;
+}
+
+void Progress::finish() {
+  if (finished_)
+    return;
+  finished_ = true;
+  if (style_ == Style::quiet)
+    return;
+  double const elapsed = std::chrono::duration<double>(now_() - start_).count();
+  if (style_ == Style::bar)
+    *out_ << erase_line;
+  *out_ << fmt::format("{}: done in {}\n", title_, duration_text(elapsed)) << std::flush;
+}
+
+Progress::Style Progress::style_of_stderr() {
+  return isatty(STDERR_FILENO) ? Style::bar : Style::lines;
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,47 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace mesobridge::workflows {
+
+/// Shows how far a long piece of work is and how long it will still take: a bar that is redrawn on a
+/// terminal, a plain line every 10 s elsewhere, nothing when quiet.
+class Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class Style { bar, lines, quiet };
+
+  /// The total is in any unit of work (> 0); the clock can be replaced in tests.
+  Progress(Style style, std::ostream& out, std::string title, double total,
+           std::function<Clock::time_point()> now = Clock::now);
+  Progress(Progress&&) = default;
+  ~Progress();
+
+  /// Cheap enough for an inner loop: draws at most ten times a second.
+  void update(double done, std::string const& note = "");
+
+  /// Ends the display with one line that tells the time taken (a bar is removed). Further updates are
+  /// ignored.
+  void finish();
+
+  /// A bar if stderr is a terminal, lines otherwise.
+  static Style style_of_stderr();
+
+ private:
+  void draw(double elapsed, double done, std::string const& note);
+
+  Style style_;
+  std::ostream* out_;
+  std::string title_;
+  double total_;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point start_, drawn_;
+  bool finished_ = false;
+};
+
+/// "8 s", "2 min 05 s", "3 h 20 min".
+std::string duration_text(double seconds);
+
+} // namespace mesobridge::workflows

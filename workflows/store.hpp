@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mesobridge::workflows {
+
+/// One HDF5 file. Objects are named by paths ("states/0/U"); groups on the way are created as needed.
+///
+/// Every failure is an EnvironmentError that names the file, what was tried and HDF5's own cause (a full
+/// disk, say); a file that cannot be read, or lacks a dataset that was asked for, is an InputError.
+class Store {
+ public:
+  enum class Mode {
+    create, ///< a new file; one of the same name is replaced
+    read,
+    append ///< an existing file, to be written on
+  };
+  using Shape = std::vector<std::size_t>;
+
+  Store(std::filesystem::path file, Mode mode);
+  Store(Store&&) noexcept;
+  ~Store(); ///< closes silently; call close() to learn whether all is on the disk
+
+  /// Writes a dataset whole; an empty shape stands for one dimension.
+  void write(std::string const& path, std::span<double const> values, Shape const& shape = {});
+  void write(std::string const& path, std::span<std::int64_t const> values, Shape const& shape = {});
+  void write(std::string const& path, std::string const& text);
+
+  /// Appends one row (or several, when there are more values than one row holds) to a dataset which grows
+  /// along its first dimension; the first call creates it. An empty row shape stands for rows of one number.
+  void append(std::string const& path, std::span<double const> values, Shape const& row_shape = {});
+  void append(std::string const& path, std::span<std::int64_t const> values, Shape const& row_shape = {});
+
+  std::vector<double> read_doubles(std::string const& path) const;
+  std::vector<std::int64_t> read_integers(std::string const& path) const;
+  std::string read_text(std::string const& path) const;
+  Shape shape(std::string const& path) const;
+  bool contains(std::string const& path) const;
+  std::vector<std::string> list(std::string const& group) const; ///< names in a group, sorted
+
+  /// Attributes of a group or dataset (created as a group if it is not there). An old value is replaced.
+  void set_attribute(std::string const& object, std::string const& name, double value);
+  void set_attribute(std::string const& object, std::string const& name, std::int64_t value);
+  void set_attribute(std::string const& object, std::string const& name,
+                     std::span<std::int64_t const> values);
+  void set_attribute(std::string const& object, std::string const& name, std::string const& text);
+  void set_attribute(std::string const& object, std::string const& name, std::span<std::string const> texts);
+  double read_double_attribute(std::string const& object, std::string const& name) const;
+  std::int64_t read_integer_attribute(std::string const& object, std::string const& name) const;
+  std::string read_text_attribute(std::string const& object, std::string const& name) const;
+  bool has_attribute(std::string const& object, std::string const& name) const;
+
+  /// Makes the second path another name of the first object (a hard link).
+  void link(std::string const& existing, std::string const& path);
+
+  void flush(); ///< hands all data to the operating system: what was flushed survives the program's death
+  void close(); ///< flushes and closes; the store is unusable afterwards
+
+  std::filesystem::path const& file() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// "1.10.8"
+std::string store_library_version();
+
+} // namespace mesobridge::workflows
