@@ -11,14 +11,14 @@ struct OrnsteinUhlenbeck {
   double kick;  ///< the standard deviation zeta
 };
 
-/// exp(-x) - 1 for x >= 0 without cancellation. Up to 1/2 by a Pade approximant of tanh(x/2), right to
-/// round-off.
+/// exp(-x) - 1 for x >= 0 without cancellation. Up to 1 by the [7/6] Pade approximant of tanh(x/2), whose
+/// error there is below round-off.
 inline double minus_expm1(double x) {
-  if (x > 0.5) [[unlikely]]
+  if (x > 1) [[unlikely]]
     return std::expm1(-x);
   double const y = 0.5 * x, z = y * y;
-  double const numerator = y * (945 + z * (105 + z));
-  double const denominator = 945 + z * (420 + 15 * z);
+  double const numerator = y * (135135 + z * (17325 + z * (378 + z)));
+  double const denominator = 135135 + z * (62370 + z * (3150 + 28 * z));
   return -2 * numerator / (denominator + numerator);
 }
 

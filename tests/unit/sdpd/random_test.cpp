@@ -1,0 +1,92 @@
+#include "cg/kolmogorov_smirnov.hpp"
+#include "sdpd/random.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace mesobridge::sdpd {
+namespace {
+
+// Known answers of the Random123 distribution (kat_vectors, philox4x32 with 10 rounds).
+TEST(Philox, GivesThePublishedKnownAnswers) {
+  using C = Philox4x32::Counter;
+  EXPECT_EQ(Philox4x32::generate({0, 0, 0, 0}, {0, 0}), (C{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  std::uint32_t const f = 0xffffffff;
+  EXPECT_EQ(Philox4x32::generate({f, f, f, f}, {f, f}), (C{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(Philox4x32::generate({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+            (C{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+}
+
+std::vector<double> many_gaussians(NoiseSource const& source, std::uint32_t pairs) {
+  std::vector<double> values;
+  GaussianLanes lanes;
+  std::uint32_t a[noise_lanes], b[noise_lanes];
+  for (std::uint32_t first = 0; first < pairs; first += noise_lanes) {
+    for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+      a[lane] = first + lane, b[lane] = 3 * (first + lane) + 1;
+    gaussians(source, a, b, lanes);
+    for (int lane = 0; lane < noise_lanes; ++lane)
+      values.insert(values.end(), {lanes.x[lane], lanes.y[lane], lanes.z[lane]});
+  }
+  return values;
+}
+
+TEST(Gaussians, AgreeWithThePlainLibraryFunctions) {
+  NoiseSource const source(987654321, Stream::fluctuation, 12345);
+  std::uint32_t const pairs = 16 * 4096;
+  auto const fast = many_gaussians(source, pairs);
+  double worst = 0;
+  std::size_t compared = 0;
+  for (std::uint32_t k = 0; k < pairs; ++k) {
+    auto const plain = gaussians_reference(source, k, 3 * k + 1);
+    for (int d = 0; d < 3; ++d, ++compared)
+      worst = std::max(worst, std::abs(fast[3 * k + d] - plain[d]));
+  }
+  EXPECT_EQ(compared, 3u * pairs);
+  // Where u is near 1 its single-precision spacing of 6e-8 shows as sqrt(2 * 6e-8) in a radius near 0.
+  EXPECT_LT(worst, 4e-4);
+}
+
+TEST(Gaussians, HaveTheMomentsAndTheLawOfAStandardGaussian) {
+  auto const g = many_gaussians(NoiseSource(1, Stream::fluctuation, 0), 16 * 20000);
+  double const n = static_cast<double>(g.size());
+  ASSERT_EQ(g.size(), 960000u);
+  double m1 = 0, m2 = 0, m3 = 0, m4 = 0;
+  for (double const x : g)
+    m1 += x / n, m2 += x * x / n, m3 += x * x * x / n, m4 += x * x * x * x / n;
+  EXPECT_LT(std::abs(m1), 4 * std::sqrt(1 / n));
+  EXPECT_LT(std::abs(m2 - 1), 4 * std::sqrt(2 / n));
+  EXPECT_LT(std::abs(m3), 4 * std::sqrt(15 / n));
+  EXPECT_LT(std::abs(m4 - 3), 4 * std::sqrt(96 / n));
+  auto cdf = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+  EXPECT_GT(cg::kolmogorov_smirnov_p(g, cdf), 1e-3);
+  EXPECT_LT(cg::kolmogorov_smirnov_p(g, [&](double x) { return cdf(x / 1.01); }), 1e-3); // 1 % too wide fails
+}
+
+TEST(Gaussians, DoNotDependOnTheLane) {
+  NoiseSource const source(5, Stream::fluctuation, 77);
+  GaussianLanes together, alone;
+  std::uint32_t a[noise_lanes], b[noise_lanes];
+  for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+    a[lane] = lane, b[lane] = lane + 1000;
+  gaussians(source, a, b, together);
+  for (int lane = 0; lane < noise_lanes; ++lane) {
+    std::uint32_t same_a[noise_lanes], same_b[noise_lanes];
+    std::fill_n(same_a, noise_lanes, a[lane]), std::fill_n(same_b, noise_lanes, b[lane]);
+    gaussians(source, same_a, same_b, alone);
+    EXPECT_EQ(alone.x[0], together.x[lane]);
+    EXPECT_EQ(alone.y[(lane + 5) % noise_lanes], together.y[lane]);
+    EXPECT_EQ(alone.z[noise_lanes - 1], together.z[lane]);
+  }
+}
+
+TEST(Gaussians, DifferBetweenStepsStreamsAndSeeds) {
+  auto const base = gaussians_reference(NoiseSource(1, Stream::fluctuation, 9), 4, 5);
+  EXPECT_NE(base, gaussians_reference(NoiseSource(1, Stream::fluctuation, 10), 4, 5));
+  EXPECT_NE(base, gaussians_reference(NoiseSource(1, Stream::fluctuation, 9 + (1ull << 32)), 4, 5));
+  EXPECT_NE(base, gaussians_reference(NoiseSource(1, Stream::initial_velocities, 9), 4, 5));
+  EXPECT_NE(base, gaussians_reference(NoiseSource(1 + (1ull << 40), Stream::fluctuation, 9), 4, 5));
+}
+
+} // namespace
+} // namespace mesobridge::sdpd

@@ -1,0 +1,272 @@
+#include "sdpd/engine.hpp"
+#include "sdpd/kernel/cubic.hpp"
+#include "sdpd_fixtures.hpp"
+#include <cstring>
+#include <gtest/gtest.h>
+
+namespace mesobridge::sdpd {
+namespace {
+
+template <class T>
+bool same_bits(std::vector<T> const& a, std::vector<T> const& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool same_bits(Snapshot const& a, Snapshot const& b) {
+  return same_bits(a.q, b.q) && same_bits(a.p, b.p) && same_bits(a.eps, b.eps) && same_bits(a.rho, b.rho) &&
+         same_bits(a.T, b.T) && same_bits(a.P, b.P);
+}
+
+struct Case {
+  char const* name;
+  SimulationSettings settings;
+};
+
+class EveryFluid : public ::testing::TestWithParam<Case> {};
+
+TEST_P(EveryFluid, GivesTheSameBitsForAnyNumberOfThreads) {
+  auto settings = GetParam().settings;
+  std::vector<Snapshot> results;
+  for (int const threads : {1, 2, 4}) {
+    settings.threads = threads;
+    Simulation simulation(settings);
+    simulation.advance(40);
+    EXPECT_GT(simulation.list_renewals(), 1u); // the lists were renewed on the way
+    results.push_back(simulation.snapshot());
+  }
+  EXPECT_TRUE(same_bits(results[0], results[1]));
+  EXPECT_TRUE(same_bits(results[0], results[2]));
+  settings.seed += 1;
+  Simulation other(settings);
+  other.advance(40);
+  EXPECT_FALSE(same_bits(results[0], other.snapshot()));
+}
+
+TEST_P(EveryFluid, GoesOnBitForBitFromACheckpoint) {
+  Simulation unbroken(GetParam().settings);
+  unbroken.advance(33);
+  auto const checkpoint = unbroken.checkpoint();
+  unbroken.advance(30);
+  Simulation resumed(GetParam().settings);
+  resumed.restore(checkpoint);
+  resumed.advance(30);
+  EXPECT_TRUE(same_bits(unbroken.snapshot(), resumed.snapshot()));
+  EXPECT_EQ(unbroken.observe().energy(), resumed.observe().energy());
+  EXPECT_EQ(resumed.observe().step, 63u);
+}
+
+TEST_P(EveryFluid, ConservesMomentumToRoundOff) {
+  Simulation simulation(GetParam().settings);
+  simulation.advance(200);
+  auto const now = simulation.observe();
+  double const scale = std::sqrt(2 * now.kinetic * static_cast<double>(simulation.size()));
+  EXPECT_LT(norm(now.momentum) / scale, 1e-14);
+}
+
+SimulationSettings with_lucy(SimulationSettings s) {
+  s.kernel = KernelKind::lucy;
+  return s;
+}
+
+INSTANTIATE_TEST_SUITE_P(Fluids, EveryFluid,
+                         ::testing::Values(Case{"ideal_gas_10", ideal_gas(10, 0.05)},
+                                           Case{"ideal_gas_100", with_lucy(ideal_gas(100, 0.2))},
+                                           Case{"argon_10", argon(10, 0.03)},
+                                           Case{"argon_1000", argon(1000, 0.1)}),
+                         [](auto const& info) { return info.param.name; });
+
+using LjSystem = System<fitting::LjBwr, CubicKernel>;
+
+LjSystem lj_system(double K) {
+  auto const settings = argon(K, 0.03);
+  auto const units = settings.units();
+  LjSystem system{.box = Box{{7, 7, 7}},
+                  .eos = {std::get<fitting::LjBwr>(settings.eos), units, 1.0},
+                  .kernel = CubicKernel(2.5),
+                  .friction = SdpdFriction(2e-3 / units.viscosity(), 0.5e-3 / units.viscosity()),
+                  .neighbours = Neighbours(Box{{7, 7, 7}}, 2.5, 0.4, 1),
+                  .particles = {},
+                  .boltzmann = 1 / K,
+                  .seed = 4,
+                  .threads = 1,
+                  .scratch = {}};
+  auto const start = Simulation([&] {
+                       auto s = settings;
+                       s.lattice = {7, 7, 7};
+                       return s;
+                     }())
+                         .checkpoint();
+  auto& particles = system.particles;
+  particles.resize(343);
+  particles.id = start.id, particles.q = start.q, particles.p = start.p, particles.eps = start.eps;
+  particles.T = start.T;
+  refresh_lists(system);
+  find_pairs_and_densities(system);
+  thermodynamics_from_energy(system);
+  find_forces(system);
+  for (int k = 0; k < 50; ++k)
+    step_ssa(system, 0.03);
+  return system;
+}
+
+// An O(N^2) sum with minimum images: the plain oracle of lists, cells and images.
+TEST(Densities, AreThoseOfABruteForceSum) {
+  auto system = lj_system(50);
+  auto const& particles = system.particles;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double rho = 0;
+    for (std::size_t j = 0; j < particles.size(); ++j) {
+      double const r = norm(system.box.minimum_image(particles.q[i] - particles.q[j]));
+      rho += r < 2.5 ? system.kernel.W(r) : 0;
+    }
+    ASSERT_NEAR(particles.rho[i], rho, 1e-13);
+  }
+  EXPECT_EQ(particles.size(), 343u);
+}
+
+// The force must be minus the gradient of sum eps(S_i, rho_i(q)) at constant entropies: central differences
+// of that energy know nothing of the force's formula.
+TEST(Forces, AreMinusTheGradientOfTheEnergyAtConstantEntropies) {
+  auto system = lj_system(50);
+  auto const f = system.particles.f;
+  auto energy_with = [&](std::size_t i, Vec3 const& moved) {
+    Vec3 const before = system.particles.q[i];
+    system.particles.q[i] += moved;
+    find_pairs_and_densities(system);
+    thermodynamics_from_entropy(system);
+    system.particles.q[i] = before;
+    return std::accumulate(system.particles.eps.begin(), system.particles.eps.end(), 0.0);
+  };
+  double const h = 1e-5;
+  int compared = 0;
+  for (std::size_t const i : {0u, 57u, 120u, 342u})
+    for (int d = 0; d < 3; ++d, ++compared) {
+      Vec3 const e{d == 0 ? h : 0, d == 1 ? h : 0, d == 2 ? h : 0};
+      double const slope = (energy_with(i, e) - energy_with(i, -e)) / (2 * h);
+      double const force = d == 0 ? f[i].x : d == 1 ? f[i].y : f[i].z;
+      EXPECT_NEAR(force, -slope, 1e-7);
+    }
+  EXPECT_EQ(compared, 12);
+}
+
+TEST(FluctuationAndDissipation, ConservesEnergyAndMomentumToRoundOff) {
+  auto system = lj_system(10);
+  auto totals = [&] { return observe(system.particles, system.box, 0, system.boltzmann, 0); };
+  auto const before = totals();
+  double moved = 0;
+  auto const p = system.particles.p;
+  for (int k = 0; k < 20; ++k) {
+    thermodynamics_from_entropy(system);
+    fluctuate_ssa(system, 0.03);
+    thermodynamics_from_energy(system);
+    ++system.step;
+  }
+  for (std::size_t i = 0; i < p.size(); ++i)
+    moved += norm(system.particles.p[i] - p[i]);
+  EXPECT_GT(moved / static_cast<double>(p.size()), 0.1); // it did something
+  EXPECT_NEAR(totals().energy() / before.energy(), 1, 1e-14);
+  EXPECT_LT(norm(totals().momentum - before.momentum), 1e-12);
+}
+
+// The sweep with caloric expansions against the same sweep with an exact inversion of the equation of state
+// for every pair.
+TEST(FluctuationAndDissipation, HasTemperaturesAsGoodAsAnInversionPerPair) {
+  auto system = lj_system(10);
+  thermodynamics_from_entropy(system);
+  double worst = 0;
+  fluctuate_ssa(system, 0.03);
+  auto const& particles = system.particles;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double const exact = system.eos.at(particles.rho[i]).temperature_from_energy(particles.eps[i], 1);
+    worst = std::max(worst, std::abs(particles.T[i] / exact - 1));
+  }
+  RecordProperty("worst_relative_error_of_T", std::to_string(worst));
+  EXPECT_LT(worst, 2e-5);
+  EXPECT_GT(worst, 1e-12); // the expansion was used
+}
+
+// Pairs are keyed by ids and turned from the smaller to the larger one: exchanging the two partners is no
+// change.
+TEST(FluctuationAndDissipation, DoesNotKnowWhichPartnerComesFirst) {
+  FluctuatingParticle a{{0.1, -0.2, 0.3}, 1.2, {1.2, 1.0, 0.7, 0.05}},
+      b{{-0.3, 0.1, 0.2}, 1.1, {1.1, 0.9, 0.6, 0.02}};
+  auto a2 = a, b2 = b;
+  SdpdFriction const friction(0.4, 0.1);
+  Vec3 const r{0.5, -0.4, 1.1}, G{0.3, 1.2, -0.8};
+  fluctuate_pair(a, b, r, 1 / norm2(r), 0.2, G, friction, 0.1, 0.05);
+  fluctuate_pair(b2, a2, -r, 1 / norm2(r), 0.2, -G, friction, 0.1, 0.05);
+  EXPECT_NEAR(norm(a.p - a2.p), 0, 1e-16);
+  EXPECT_NEAR(norm(b.p - b2.p), 0, 1e-16);
+  EXPECT_NEAR(a.eps, a2.eps, 1e-15);
+  EXPECT_NEAR(b.eps, b2.eps, 1e-15);
+  EXPECT_GT(std::abs(a.eps - 1.2), 1e-4);
+}
+
+// Verlet alone is reversible: forward, momenta turned, forward again leads back.
+TEST(ConservativeDynamics, IsReversible) {
+  auto system = lj_system(100);
+  auto verlet = [&](double dt) {
+    kick(system, dt / 2), drift(system, dt);
+    refresh_lists(system), find_pairs_and_densities(system), thermodynamics_from_entropy(system),
+        find_forces(system);
+    kick(system, dt / 2);
+  };
+  auto by_id = [&] {
+    std::vector<Vec3> q(system.size());
+    for (std::size_t i = 0; i < q.size(); ++i)
+      q[system.particles.id[i]] = system.box.wrap(system.particles.q[i]);
+    return q;
+  };
+  auto const start = by_id();
+  for (int k = 0; k < 30; ++k)
+    verlet(0.05);
+  auto const away = by_id();
+  for (auto& p : system.particles.p)
+    p *= -1;
+  for (int k = 0; k < 30; ++k)
+    verlet(0.05);
+  auto const back = by_id();
+  double error = 0, way = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    error = std::max(error, norm(system.box.minimum_image(back[i] - start[i])));
+    way = std::max(way, norm(system.box.minimum_image(away[i] - start[i])));
+  }
+  EXPECT_GT(way, 0.05);
+  EXPECT_LT(error, 1e-10);
+}
+
+TEST(Simulation, RefusesBadInputByName) {
+  auto message = [](auto change) {
+    auto settings = ideal_gas(10, 0.05);
+    change(settings);
+    try {
+      Simulation const simulation(settings);
+    } catch (InputError const& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using S = SimulationSettings;
+  EXPECT_NE(message([](S& s) { s.K = 0.5; }).find("particle size K = 0.5"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.rho = -1; }).find("density rho = -1"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.T = std::nan(""); }).find("temperature T = nan"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.dt = 0; }).find("time step dt = 0"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.zeta = 1; }).find("bulk viscosity zeta"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.lattice = {4, 10, 10}; }).find("box edge = 4"), std::string::npos);
+}
+
+TEST(Simulation, NamesParticleStepAndTimeStepWhenItCannotGoOn) {
+  Simulation simulation(ideal_gas(2, 0.3)); // SSA cannot run K = 2 (thesis, section 4.3)
+  try {
+    simulation.advance(2000);
+    FAIL() << "SSA ran at K = 2";
+  } catch (PhysicsError const& error) {
+    std::string const text = error.what();
+    EXPECT_NE(text.find("particle "), std::string::npos);
+    EXPECT_NE(text.find("at step "), std::string::npos);
+    EXPECT_NE(text.find("dt = 0.3"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
