@@ -28,8 +28,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view word, std::span<std::string const> candidates) {
   std::string best;
-  // One error in three letters is a misspelling; more is another word.
-  std::size_t best_distance = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
+  // One error in three letters (begun) is a misspelling; more is another word.
+  std::size_t best_distance = std::max<std::size_t>(1, (word.size() + 2) / 3) + 1;
   for (auto const& candidate : candidates) {
     auto const distance = edit_distance(word, candidate);
     if (distance < best_distance) {

@@ -1,5 +1,5 @@
-#include "workflows/command_line.hpp"
 #include "md/error.hpp"
+#include "workflows/command_line.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
 #include <csignal>

@@ -1,5 +1,5 @@
-#include "workflows/progress.hpp"
 #include "md/error.hpp"
+#include "workflows/progress.hpp"
 #include <gtest/gtest.h>
 #include <sstream>
 

@@ -1,0 +1,185 @@
+#include "md/error.hpp"
+#include "workflows/scene/scene.hpp"
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+std::string const good = R"(title = "Argon"
+units = "SI"
+[fluid]
+eos = "argon"
+rho = "1150 kg/m^3"
+T = "1000 K"
+[particles]
+N = 1000
+K = 100
+[transport]
+eta = "2 mPa*s"
+[scheme]
+dt = "1.5 fs"
+[run]
+steps = 100
+)";
+
+std::string replaced(std::string text, std::string const& what, std::string const& by) {
+  auto const at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+std::string error_of(std::string const& text, std::vector<std::string> const& overrides = {}) {
+  try {
+    parse_scene(text, "bad.toml", overrides);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scene, ReadsEveryValueInSI) {
+  auto const scene = parse_scene(good, "good.toml");
+  EXPECT_EQ(scene.title, "Argon");
+  EXPECT_EQ(scene.units, UnitSystem::SI);
+  EXPECT_EQ(scene.fluid.rho, 1150);
+  EXPECT_EQ(scene.fluid.T, 1000);
+  EXPECT_FALSE(scene.fluid.m0);
+  EXPECT_EQ(scene.particles.K, 100);
+  EXPECT_EQ(scene.particles.kernel, "cubic");
+  EXPECT_EQ(scene.transport.eta, 2e-3);
+  EXPECT_FALSE(scene.scheme.dt.reduced);
+  EXPECT_DOUBLE_EQ(scene.scheme.dt.value, 1.5e-15);
+  EXPECT_EQ(scene.run.seed, 1);
+}
+
+TEST(Scene, OverridesWinOverTheFile) {
+  auto const scene = parse_scene(good, "good.toml",
+                                 {"fluid.rho=1.2 g/cm^3", "scheme.dt=0.05", "run.seed=7",
+                                  "fluid.eos=ideal-gas", "fluid.m0=\"1e-25 kg\"", "output.directory=here"});
+  EXPECT_EQ(scene.fluid.rho, 1200);
+  EXPECT_EQ(scene.scheme.dt, (TimeStep{0.05, true}));
+  EXPECT_EQ(scene.run.seed, 7);
+  EXPECT_EQ(scene.fluid.m0, 1e-25);
+  EXPECT_EQ(scene.output.directory, "here");
+}
+
+TEST(Scene, ReducedUnitsTakePlainNumbers) {
+  auto text = replaced(good, "\"SI\"", "\"lj\"");
+  text = replaced(replaced(text, "\"argon\"", "\"lj\""), "\"1150 kg/m^3\"", "0.68");
+  text = replaced(replaced(replaced(text, "\"1000 K\"", "8"), "\"2 mPa*s\"", "1.5"), "\"1.5 fs\"", "0.01");
+  auto const scene = parse_scene(text, "lj.toml");
+  EXPECT_EQ(scene.fluid.rho, 0.68);
+  EXPECT_EQ(scene.fluid.T, 8);
+  EXPECT_NE(error_of(replaced(text, "rho = 0.68", "rho = \"0.68 kg/m^3\"")).find("bad.toml:5: fluid.rho"),
+            std::string::npos);
+}
+
+TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
+  struct Case {
+    std::string what, by;
+    std::vector<std::string> parts; ///< all of them stand in the message
+  };
+  std::vector<Case> const cases{
+      {"rho =", "rhp =", {"bad.toml:5", "fluid.rhp", "did you mean 'rho'"}},
+      {"[particles]", "[particle]", {"bad.toml:7", "particle", "did you mean 'particles'"}},
+      {"K = 100", "eta = 1", {"bad.toml:9", "particles.eta", "it belongs into [transport]"}},
+      {"\"1150 kg/m^3\"", "1150", {"bad.toml:5", "fluid.rho = 1150", "a unit is missing", "kg/m^3"}},
+      {"1150 kg/m^3", "1150 kg/m", {"bad.toml:5", "fluid.rho", "wrong unit 'kg/m'", "did you mean 'kg/m^3'"}},
+      {"1150 kg/m^3", "-1150 kg/m^3", {"bad.toml:5", "-1150 kg/m^3", "> 0"}},
+      {"1150 kg/m^3", "nan kg/m^3", {"bad.toml:5", "nan kg/m^3", "not a finite number"}},
+      {"1150 kg/m^3", "1150", {"bad.toml:5", "the unit is missing"}},
+      {"\"1000 K\"", "true", {"bad.toml:6", "fluid.T = true"}},
+      {"1000 K", "0 K", {"bad.toml:6", "fluid.T", "> 0"}},
+      {"K = 100", "K = 0.5", {"bad.toml:9", "particles.K = 0.5", ">= 1"}},
+      {"K = 100", "K = nan", {"bad.toml:9", "particles.K = nan", ">= 1"}},
+      {"K = 100", "K = inf", {"bad.toml:9", "particles.K = inf"}},
+      {"K = 100", "K = \"100\"", {"bad.toml:9", "particles.K = \"100\"", "a number"}},
+      {"K = 100", "K = [10, 100]", {"bad.toml:9", "particles.K = [", "a number"}},
+      {"N = 1000", "N = 1000.5", {"bad.toml:8", "particles.N = 1000.5", "an integer >= 1"}},
+      {"N = 1000", "N = -3", {"bad.toml:8", "particles.N = -3", ">= 1"}},
+      {"N = 1000", "N = 100", {"bad.toml:8", "particles.N = 100", "must be >= 125"}},
+      {"K = 100",
+       "K = 100\nkernel = \"cubik\"",
+       {"bad.toml:10", "cubik", "\"cubic\", \"lucy\"", "did you mean 'cubic'"}},
+      {"\"2 mPa*s\"",
+       "\"2 mPa*s\"\nzeta = \"4 mPa*s\"",
+       {"bad.toml:12", "transport.zeta = 0.004", "5 eta / 3"}},
+      {"\"2 mPa*s\"", "\"2 mPa*s\"\nzeta = \"-1 mPa*s\"", {"bad.toml:12", "transport.zeta", ">= 0"}},
+      {"1.5 fs", "-1.5 fs", {"bad.toml:13", "scheme.dt", "> 0"}},
+      {"\"1.5 fs\"", "0", {"bad.toml:13", "scheme.dt = 0", "> 0"}},
+      {"\"argon\"", "\"argom\"", {"bad.toml:4", "fluid.eos", "did you mean 'argon'"}},
+      {"\"argon\"", "\"ideal-gas\"", {"bad.toml:4", "fluid.m0"}},
+      {"\"argon\"", "\"argon\"\nm0 = \"1 u\"", {"bad.toml:5", "fluid.m0", "ideal-gas"}},
+      {"\"argon\"", "\"lj\"", {"bad.toml:4", "fluid.eos = lj", "units"}},
+      {"\"argon\"", "\"no/such.toml\"", {"bad.toml:4", "no/such.toml", "no model file"}},
+      {"\"SI\"", "\"si\"", {"bad.toml:2", "units = \"si\"", "\"SI\", \"lj\""}},
+      {"title = \"Argon\"", "", {"bad.toml", "'title' is missing"}},
+      {"steps = 100", "", {"bad.toml", "'run.steps' is missing"}},
+      {"steps = 100", "steps = 100\nsample_every = 101", {"bad.toml:16", "run.sample_every", "<= run.steps"}},
+      {"steps = 100", "steps = 100\nseed = -1", {"bad.toml:16", "run.seed = -1", ">= 0"}},
+      {"[fluid]", "fluid = 3\n[fluids]", {"bad.toml:3", "fluid = 3", "[fluid]"}},
+      {"title = \"Argon\"", "title = \"Argon", {"bad.toml:1"}},
+      {"K = 100", "K = 100\nK = 10", {"bad.toml:10"}},
+  };
+  int ran = 0;
+  for (auto const& [what, by, parts] : cases) {
+    auto const message = error_of(replaced(good, what, by));
+    for (auto const& part : parts)
+      EXPECT_NE(message.find(part), std::string::npos) << "looked for " << part << " in: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    ++ran;
+  }
+  EXPECT_EQ(ran, 36);
+}
+
+TEST(Scene, BadOverridesAreTracedToTheCommandLine) {
+  EXPECT_NE(error_of(good, {"fluid.rho=-1 kg/m^3"}).find("--set: fluid.rho"), std::string::npos);
+  EXPECT_NE(error_of(good, {"fluid.rhp=1 kg/m^3"}).find("--set: unknown key 'fluid.rhp'; did you mean"),
+            std::string::npos);
+  EXPECT_NE(error_of(good, {"fluid.rho"}).find("section.key=value"), std::string::npos);
+  EXPECT_NE(error_of(good, {"title.x=1"}).find("'title' is no section"), std::string::npos);
+}
+
+TEST(Scene, ResolvedSceneReadsBackAsTheSame) {
+  EXPECT_TRUE(rc::check("parse(resolved(scene)) == scene", [] {
+    auto const positive = [] { return 1e-3 * *rc::gen::inRange(1, 1 << 30) / 3.0; };
+    auto const ideal = *rc::gen::arbitrary<bool>();
+    Scene scene;
+    scene.title =
+        *rc::gen::container<std::string>(rc::gen::inRange<char>(32, 127)); // quotes and backslashes too
+    scene.fluid = {ideal ? "ideal-gas" : "argon", positive(), positive(), {}};
+    if (ideal)
+      scene.fluid.m0 = positive() * 1e-27;
+    scene.particles = {*rc::gen::inRange(125, 1 << 20), 1 + positive(), ideal ? "lucy" : "cubic", 2.5};
+    scene.transport.eta = positive();
+    scene.transport.zeta = scene.transport.eta * *rc::gen::inRange(0, 166) / 100.0;
+    scene.scheme.dt = {positive() * (ideal ? 1 : 1e-15), ideal};
+    scene.run.steps = *rc::gen::inRange(1, 1 << 30);
+    scene.run.sample_every = 1;
+    RC_ASSERT(parse_scene(resolved_toml(scene), "resolved.toml") == scene);
+  }));
+}
+
+TEST(Scene, TheShippedScenesAreValid) {
+  int ran = 0;
+  for (auto const& entry : std::filesystem::directory_iterator(MESOBRIDGE_SOURCE_DIR "/workflows/scenes")) {
+    EXPECT_NO_THROW(load_scene(entry.path())) << entry.path();
+    ++ran;
+  }
+  EXPECT_GE(ran, 2);
+  EXPECT_THROW(load_scene("/no/such/scene.toml"), InputError);
+}
+
+TEST(Scene, TheKeysExplainThemselves) {
+  auto const text = scene_keys_text();
+  for (auto const* part : {"[fluid]", "*rho", "kg/m^3, g/cm^3", "default \"cubic\"", "less than 5 eta / 3"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+} // namespace
+
+} // namespace mesobridge::workflows

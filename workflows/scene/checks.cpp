@@ -1,0 +1,78 @@
+#include "workflows/scene/checks.hpp"
+#include "md/error.hpp"
+#include "workflows/nearest.hpp"
+#include <algorithm>
+#include <array>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+std::array<std::string, 3> const built_in_models{"argon", "ideal-gas", "lj"};
+
+bool is_built_in(std::string const& eos) {
+  return std::find(built_in_models.begin(), built_in_models.end(), eos) != built_in_models.end();
+}
+
+template <class Value>
+void require_together(bool condition, Places const& places, std::string const& key, Value const& value,
+                      std::string const& what_is_allowed) {
+  require(condition, places.of(key) + ": " + key, value, what_is_allowed);
+}
+
+void check_fluid(Scene const& scene, Places const& places) {
+  auto const& fluid = scene.fluid;
+  bool const reduced = scene.units == UnitSystem::lj;
+  bool const ideal = fluid.eos == "ideal-gas";
+  if (is_built_in(fluid.eos))
+    require_together((fluid.eos == "lj") == reduced, places, "fluid.eos", fluid.eos,
+                     reduced ? "scenes with units = \"lj\" take \"lj\" or a reduced model"
+                             : "\"lj\" wants units = \"lj\"");
+  require_together(!ideal || fluid.m0, places, "fluid.eos", fluid.eos,
+                   "needs the mass of a molecule, fluid.m0");
+  if (fluid.m0)
+    require_together(ideal, places, "fluid.m0", *fluid.m0,
+                     "allowed with eos = \"ideal-gas\" only; other models know it");
+  require_together(!ideal || scene.particles.K > 1, places, "particles.K", scene.particles.K,
+                   "must be > 1 for the ideal gas: its heat capacity is 3/2 (K - 1) k_B");
+}
+
+void check_box(Scene const& scene, Places const& places) {
+  // The nearest periodic image is the only one within the kernel's support when the edge is at least 2 h.
+  double const edge_in_h = std::cbrt(static_cast<double>(scene.particles.N)) / scene.particles.h_factor;
+  auto const needed = std::ceil(std::pow(2 * scene.particles.h_factor, 3) * (1 - 1e-12));
+  require_together(edge_in_h >= 2 * (1 - 1e-12), places, "particles.N", scene.particles.N,
+                   fmt::format("must be >= {} at h_factor = {}: the box would be narrower than 2 h", needed,
+                               scene.particles.h_factor));
+}
+
+} // namespace
+
+void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places) {
+  auto& eos = scene.fluid.eos;
+  if (is_built_in(eos))
+    return;
+  if (!eos.ends_with(".toml"))
+    throw InputError(
+        fmt::format("{}: fluid.eos = \"{}\": must be \"argon\", \"ideal-gas\", \"lj\" or the path of a "
+                    "model file (.toml){}",
+                    places.of("fluid.eos"), eos, did_you_mean(eos, built_in_models)));
+  auto const path = std::filesystem::absolute(folder / eos).lexically_normal();
+  require_together(std::filesystem::is_regular_file(path), places, "fluid.eos", eos,
+                   fmt::format("there is no model file '{}'", path.string()));
+  eos = path.string();
+}
+
+void check_together(Scene const& scene, Places const& places) {
+  check_fluid(scene, places);
+  check_box(scene, places);
+  double const limit = 5 * scene.transport.eta / 3;
+  require_together(
+      scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
+      fmt::format("must be < 5 eta / 3 = {:.6g}, or the friction coefficient a_ij turns negative", limit));
+  require_together(scene.run.sample_every <= scene.run.steps, places, "run.sample_every",
+                   scene.run.sample_every,
+                   fmt::format("must be <= run.steps = {}, or there is no sample", scene.run.steps));
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,35 @@
+#pragma once
+#include "workflows/scene/scene.hpp"
+#include <map>
+#include <string>
+
+namespace mesobridge::workflows {
+
+/// Where each key of a scene was given: "scene.toml:7" or "--set".
+class Places {
+ public:
+  explicit Places(std::string file) : file_(std::move(file)) {}
+
+  /// The first note of a path stays: --set is noted before the file.
+  void note(std::string const& path, std::string const& place) { places_.emplace(path, place); }
+  void note(std::string const& path, unsigned line) { note(path, file_ + ":" + std::to_string(line)); }
+
+  /// The place of a key, or the file for a key that was not given.
+  std::string of(std::string const& path) const {
+    auto const found = places_.find(path);
+    return found == places_.end() ? file_ : found->second;
+  }
+
+ private:
+  std::string file_;
+  std::map<std::string, std::string> places_;
+};
+
+/// Turns the path of a fitted model into an absolute one, so that the resolved scene reads back from any
+/// folder; the file must be there. Throws InputError.
+void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places);
+
+/// The rules that concern several keys at once. Throws InputError.
+void check_together(Scene const& scene, Places const& places);
+
+} // namespace mesobridge::workflows

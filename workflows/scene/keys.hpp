@@ -1,0 +1,50 @@
+#pragma once
+#include "workflows/quantity.hpp"
+#include "workflows/scene/scene.hpp"
+#include <functional>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mesobridge::workflows {
+
+/// Where a key's value lives in the scene; the alternative says what type the key has.
+using Slot = std::variant<std::string*, std::optional<std::string>*, std::int64_t*, double*,
+                          std::optional<double>*, TimeStep*, UnitSystem*>;
+
+/// The numbers that a key allows: all finite ones from the minimum (itself excluded if `open`) to the
+/// maximum.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  bool open = false;
+  double max = std::numeric_limits<double>::infinity();
+
+  bool contains(double value) const;
+  std::string text() const; ///< "> 0", "from 1 to 10", or nothing
+};
+
+/// One key of a scene file.
+struct SceneKey {
+  std::string section; ///< empty for the keys at the top
+  std::string name;
+  std::function<Slot(Scene&)> slot;
+  std::optional<Dimension> dimension; ///< of a quantity: then SI scenes give it as a string with a unit
+  Range range;
+  std::vector<std::string> choices; ///< of a text; empty: any
+  bool required = false;            ///< if not, the default is that of a fresh Scene
+  std::string meaning;
+
+  std::string path() const { return section.empty() ? name : section + "." + name; }
+  /// What the key allows, in words: "a density > 0 such as \"1 kg/m^3\"".
+  std::string allowed(UnitSystem units) const;
+};
+
+/// All keys, in the order in which a scene is written. A new section or key is a line here and a member of
+/// Scene.
+std::vector<SceneKey> const& scene_keys();
+
+/// The key's value as TOML, or nothing if it is not set.
+std::optional<std::string> value_text(SceneKey const& key, Scene const& scene);
+
+} // namespace mesobridge::workflows
