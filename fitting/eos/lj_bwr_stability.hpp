@@ -1,0 +1,40 @@
+#pragma once
+#include "fitting/eos/lj_bwr.hpp"
+
+namespace mesobridge::fitting {
+
+/// A box of states in Lennard-Jones units.
+struct LjRegion {
+  double rho_min, rho_max, T_min, T_max;
+
+  bool contains(double rho, double T) const {
+    return rho >= rho_min && rho <= rho_max && T >= T_min && T <= T_max;
+  }
+};
+
+/// Evenly spaced densities and logarithmically spaced temperatures, corners included.
+/// visit(rho, T) is called for each.
+template <class Visit>
+void for_each_state(LjRegion const& region, int densities, int temperatures, Visit&& visit) {
+  for (int i = 0; i < densities; ++i)
+    for (int j = 0; j < temperatures; ++j)
+      visit(region.rho_min + (region.rho_max - region.rho_min) * i / (densities - 1),
+            region.T_min * std::pow(region.T_max / region.T_min, double(j) / (temperatures - 1)));
+}
+
+/// How far a set is from thermal and mechanical instability, in Lennard-Jones units per atom.
+struct LjStability {
+  double c_v_min; ///< smallest c_v/k_B over the region
+  double rho_at_c_v_min, T_at_c_v_min;
+  int unstable;                    ///< states with c^2 <= 0 although the published set has c^2 > k_B T there
+  double rho_unstable, T_unstable; ///< one of them
+  int states;                      ///< examined
+
+  bool stable() const { return c_v_min > 0 && unstable == 0; }
+};
+
+/// Examines a grid of states over the region. The published set itself has a liquid-gas region, where c^2 < 0
+/// is right; hence only states that it holds clearly stable count.
+LjStability stability(LjBwrSet const& set, LjRegion const& region);
+
+} // namespace mesobridge::fitting
