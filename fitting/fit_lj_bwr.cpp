@@ -60,6 +60,14 @@ LjBwrSet set_from(Problem const& problem, LinearPosterior const& posterior, LjRe
   return set;
 }
 
+/// The covariance R^-1 S S^T R^-T of x as L L^T, without forming it (it would lose half of the digits).
+Eigen::MatrixXd covariance_factor(Problem const& problem, LinearPosterior const& posterior) {
+  Eigen::MatrixXd const spread = problem.prior.R.triangularView<Eigen::Upper>().solve(posterior.spread);
+  Eigen::HouseholderQR<Eigen::MatrixXd> const qr(spread.transpose());
+  Eigen::MatrixXd const upper = qr.matrixQR().triangularView<Eigen::Upper>();
+  return upper.transpose();
+}
+
 /// The groups of states that are left out together.
 std::vector<std::vector<std::size_t>> held_out_groups(std::size_t states, int folds) {
   std::size_t const groups = folds == 0 ? states : static_cast<std::size_t>(folds);
@@ -166,26 +174,26 @@ LjBwrFit fit_lj_bwr(cg::StateGrid const& grid, LjBwrFitOptions const& options) {
   double const width = problem.linear.best_width(bounds.low, bounds.high);
   auto const chosen = strengthen_until_stable(problem, width, region);
   auto const [e_min, e_max] = std::ranges::minmax(data, {}, [](auto const& datum) { return datum.y(0); });
-  LjBwrFit fit{
-      .eos = LjBwr(chosen.set),
-      .covariance_factor = problem.prior.R.triangularView<Eigen::Upper>().solve(chosen.posterior.spread),
-      .prior_width = chosen.width,
-      .evidence_width = width,
-      .strengthened = chosen.strengthened,
-      .log_evidence = problem.linear.log_evidence(chosen.width),
-      .condition = problem.linear.condition(),
-      .condition_regularised = problem.linear.condition(chosen.width),
-      .effective_parameters = chosen.posterior.effective_parameters,
-      .chi_2 = (problem.r - problem.A * chosen.posterior.mean).squaredNorm(),
-      .degrees_of_freedom = 2.0 * static_cast<double>(data.size()) - chosen.posterior.effective_parameters,
-      .points = compare(data, problem, chosen.posterior),
-      .held_out_fraction = 0,
-      .rms_held_out_deviation = 0,
-      .sampled = sampled,
-      .e_min = e_min.y(0),
-      .e_max = e_max.y(0),
-      .checked = region,
-      .stability = chosen.stability};
+  LjBwrFit fit{.eos = LjBwr(chosen.set),
+               .covariance_factor = covariance_factor(problem, chosen.posterior),
+               .prior_width = chosen.width,
+               .evidence_width = width,
+               .strengthened = chosen.strengthened,
+               .log_evidence = problem.linear.log_evidence(chosen.width),
+               .condition = problem.linear.condition(),
+               .condition_regularised = problem.linear.condition(chosen.width),
+               .effective_parameters = chosen.posterior.effective_parameters,
+               .chi_2 = (problem.r - problem.A * chosen.posterior.mean).squaredNorm(),
+               .degrees_of_freedom =
+                   2.0 * static_cast<double>(data.size()) - chosen.posterior.effective_parameters,
+               .points = compare(data, problem, chosen.posterior),
+               .held_out_fraction = 0,
+               .rms_held_out_deviation = 0,
+               .sampled = sampled,
+               .e_min = e_min.y(0),
+               .e_max = e_max.y(0),
+               .checked = region,
+               .stability = chosen.stability};
   hold_out_states(fit.points, data, problem, chosen.posterior, options.folds);
   summarise_held_out(fit);
   return fit;

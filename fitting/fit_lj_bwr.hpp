@@ -38,8 +38,8 @@ struct LjBwrFitPoint {
 
 struct LjBwrFit {
   LjBwr eos; ///< in Lennard-Jones units; `eos.in_units(argon_units)` for SI
-  /// F of the parameters' covariance F F^T, gamma and prior width held fixed. The parameters are so
-  /// correlated that uncertainties of predictions must be formed from F: F^T row, then its length.
+  /// Lower triangular L of the parameters' covariance L L^T, gamma and prior width held fixed. The parameters
+  /// are so correlated that uncertainties of predictions must be formed from L: the length of L^T row.
   Eigen::MatrixXd covariance_factor;
   double prior_width;    ///< used, after strengthening
   double evidence_width; ///< that of largest evidence, or the one given

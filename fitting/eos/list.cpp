@@ -18,10 +18,14 @@ Material const& material(std::string_view name) {
   auto const found = std::ranges::find(materials(), name, &Material::name);
   if (found != materials().end())
     return *found;
+  throw InputError(fmt::format("no material is named '{}'; built in: {}", name, material_names()));
+}
+
+std::string material_names() {
   std::string names;
   for (auto const& known : materials())
     names += (names.empty() ? "" : ", ") + known.name;
-  throw InputError(fmt::format("no material is named '{}'; the built-in ones are {}", name, names));
+  return names;
 }
 
 } // namespace mesobridge::fitting

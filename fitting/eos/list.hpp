@@ -22,6 +22,9 @@ struct Material {
 /// `argon` (SI), `lj` (Lennard-Jones units), `ideal-gas` (SI).
 std::vector<Material> const& materials();
 
+/// Their names, separated by commas.
+std::string material_names();
+
 /// Throws InputError that lists the names when there is no such material.
 Material const& material(std::string_view name);
 

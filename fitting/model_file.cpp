@@ -1,0 +1,202 @@
+#include "fitting/model_file.hpp"
+#include "fitting/eos/lj_bwr_stability.hpp"
+#include "fitting/toml_reader.hpp"
+#include <algorithm>
+#include <span>
+#include <sstream>
+
+namespace mesobridge::fitting {
+namespace {
+
+constexpr std::string_view format_name = "mesobridge equation of state 1";
+constexpr std::size_t triangle = bwr::parameters * (bwr::parameters + 1) / 2;
+
+/// Shortest text that reads back to the same bits, always a TOML float.
+std::string exact(double x) {
+  return fmt::format("{:#}", x);
+}
+
+std::string quoted(std::string const& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+
+std::string array(std::span<double const> values) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i % 4 == 0 ? "\n  " : " ") + exact(values[i]) + ",";
+  return text + "\n]";
+}
+
+std::string body(IdealGas const& gas) {
+  return fmt::format("kind = \"ideal-gas\"\n\n[ideal_gas]\nm0 = {}\ndof = {}\nk_B = {}\n",
+                     exact(gas.molecular_mass()), exact(gas.dof()), exact(gas.boltzmann()));
+}
+
+std::string body(LjBwr const& lj) {
+  auto const& set = lj.set();
+  std::string text =
+      fmt::format("kind = \"lj-bwr\"\n\n# Lennard-Jones units\n[lj_bwr]\ngamma = {}\nT_low = {}\n"
+                  "T_max = {}\nrho_max = {}\nx = {}\n",
+                  exact(set.gamma), exact(set.T_low), exact(set.T_max), exact(set.rho_max), array(set.x));
+  if (auto const& units = lj.units())
+    text += fmt::format("\n[units]\nsigma_m = {}\nepsilon_J = {}\nmass_kg = {}\n", exact(units->sigma),
+                        exact(units->epsilon), exact(units->mass));
+  return text;
+}
+
+std::string covariance_text(Eigen::MatrixXd const& L) {
+  std::vector<double> rows;
+  for (Eigen::Index i = 0; i < L.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j)
+      rows.push_back(L(i, j));
+  return fmt::format(
+      "\n# The covariance of x is L L^T; rows of the lower triangle of L\n[covariance]\nL = {}\n",
+      array(rows));
+}
+
+std::string valid_text(ValidRange const& v) {
+  return fmt::format("\n# Where the data lie, Lennard-Jones units per atom\n[valid]\nrho_min = {}\nrho_max = "
+                     "{}\nT_min = {}\n"
+                     "T_max = {}\ne_min = {}\ne_max = {}\n",
+                     exact(v.rho_min), exact(v.rho_max), exact(v.T_min), exact(v.T_max), exact(v.e_min),
+                     exact(v.e_max));
+}
+
+IdealGas read_ideal_gas(TomlReader& file) {
+  auto table = file.table("ideal_gas");
+  double const m0 = table.number("m0"), dof = table.number("dof"), boltzmann = table.number("k_B");
+  table.refuse_unknown();
+  return IdealGas(m0, dof, boltzmann);
+}
+
+std::optional<LjUnits> read_units(TomlReader& file) {
+  if (!file.has("units"))
+    return std::nullopt;
+  auto table = file.table("units");
+  LjUnits const units{.sigma = table.number("sigma_m"),
+                      .epsilon = table.number("epsilon_J"),
+                      .mass = table.number("mass_kg")};
+  table.refuse_unknown();
+  return units;
+}
+
+LjBwr read_lj_bwr(TomlReader& file) {
+  auto table = file.table("lj_bwr");
+  LjBwrSet set{.x = {},
+               .gamma = table.number("gamma"),
+               .T_low = table.number("T_low"),
+               .T_max = table.number("T_max"),
+               .rho_max = table.number("rho_max")};
+  std::ranges::copy(table.numbers("x", bwr::parameters), set.x.begin());
+  table.refuse_unknown();
+  LjBwr const eos(set, read_units(file));
+  auto const found = stability(set, {0.01 * set.rho_max, set.rho_max, set.T_low, set.T_max});
+  if (!(found.c_v_min > 0))
+    throw InputError(
+        fmt::format("lj_bwr: the heat capacity is {:.4g} k_B at rho* = {:.4g}, T* = {:.4g}; it must be "
+                    "positive up to rho_max between T_low and T_max",
+                    found.c_v_min, found.rho_at_c_v_min, found.T_at_c_v_min));
+  return eos;
+}
+
+Eigen::MatrixXd read_covariance(TomlReader table) {
+  auto const rows = table.numbers("L", triangle);
+  table.refuse_unknown();
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(bwr::parameters, bwr::parameters);
+  auto next = rows.begin();
+  for (Eigen::Index i = 0; i < L.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j)
+      L(i, j) = *next++;
+  return L;
+}
+
+ValidRange read_valid(TomlReader table) {
+  ValidRange const v{table.number("rho_min"), table.number("rho_max"), table.number("T_min"),
+                     table.number("T_max"),   table.number("e_min"),   table.number("e_max")};
+  table.refuse_unknown();
+  require(v.rho_min <= v.rho_max && v.T_min <= v.T_max && v.e_min <= v.e_max, "valid", "a lower bound",
+          "must not exceed the upper one");
+  return v;
+}
+
+AnyEos read_eos(TomlReader& file, toml::table const& table) {
+  auto const kind = file.text("kind");
+  if (kind == "ideal-gas")
+    return read_ideal_gas(file);
+  if (kind == "lj-bwr")
+    return read_lj_bwr(file);
+  file.refuse(*table.get("kind"), "kind", "must be \"ideal-gas\" or \"lj-bwr\"");
+}
+
+EosModel read_model(toml::table const& table, std::string const& file_name) {
+  TomlReader file(table, file_name);
+  if (file.text("format") != format_name)
+    file.refuse(*table.get("format"), "format", fmt::format("must be \"{}\"", format_name));
+  EosModel model{read_eos(file, table), {}, {}, {}, {}};
+  if (std::holds_alternative<LjBwr>(model.eos)) {
+    if (file.has("covariance"))
+      model.covariance_factor = read_covariance(file.table("covariance"));
+    if (file.has("valid"))
+      model.valid = read_valid(file.table("valid"));
+  }
+  if (file.has("data_hash"))
+    model.data_hash = file.text("data_hash");
+  if (file.has("provenance"))
+    for (auto& [key, value] : file.table("provenance").texts())
+      model.provenance.emplace(key, value);
+  file.refuse_unknown();
+  return model;
+}
+
+} // namespace
+
+EosModel model_of(LjBwrFit const& fit, std::optional<LjUnits> units, std::string data_hash,
+                  std::map<std::string, std::string> provenance) {
+  auto const& box = fit.sampled;
+  return {.eos = fit.eos.in_units(units),
+          .covariance_factor = fit.covariance_factor,
+          .valid = ValidRange{box.rho_min, box.rho_max, box.T_min, box.T_max, fit.e_min, fit.e_max},
+          .data_hash = std::move(data_hash),
+          .provenance = std::move(provenance)};
+}
+
+std::string to_toml(EosModel const& model) {
+  std::string text = fmt::format("format = \"{}\"\n", format_name);
+  if (!model.data_hash.empty())
+    text += "data_hash = " + quoted(model.data_hash) + "\n";
+  text += std::visit([](auto const& eos) { return body(eos); }, model.eos);
+  if (model.valid)
+    text += valid_text(*model.valid);
+  if (model.covariance_factor)
+    text += covariance_text(*model.covariance_factor);
+  if (!model.provenance.empty())
+    text += "\n[provenance]\n";
+  for (auto const& [key, value] : model.provenance)
+    text += quoted(key) + " = " + quoted(value) + "\n";
+  return text;
+}
+
+EosModel parse_model(std::string_view text, std::string const& file_name) {
+  auto const table = parse_toml(text, file_name);
+  try {
+    return read_model(table, file_name);
+  } catch (InputError const& error) {
+    // The models' own checks do not know the file.
+    std::string const what = error.what();
+    throw InputError(what.starts_with(file_name) ? what : fmt::format("{}: {}", file_name, what));
+  }
+}
+
+EosModel load_eos(std::string const& name_or_file,
+                  std::function<std::string(std::string const&)> const& read_text) {
+  if (std::ranges::find(materials(), name_or_file, &Material::name) != materials().end())
+    return {material(name_or_file).eos, {}, {}, {}, {}};
+  if (!name_or_file.ends_with(".toml"))
+    throw InputError(fmt::format("model '{}': must be a model file (*.toml) or a built-in material: {}",
+                                 name_or_file, material_names()));
+  return parse_model(read_text(name_or_file), name_or_file);
+}
+
+} // namespace mesobridge::fitting

@@ -1,0 +1,41 @@
+#pragma once
+#include "md/error.hpp"
+#include <string>
+#include <string_view>
+#include <toml++/toml.h>
+#include <vector>
+
+namespace mesobridge::fitting {
+
+/// Strict access to one TOML table: whatever is missing, of the wrong type, not finite or unknown throws
+/// InputError "file:line: key: what is allowed".
+class TomlReader {
+ public:
+  TomlReader(toml::table const& table, std::string file, std::string path = "");
+
+  bool has(std::string_view key) const { return table_.contains(key); }
+  double number(std::string_view key);
+  /// Exactly `count` numbers.
+  std::vector<double> numbers(std::string_view key, std::size_t count);
+  std::string text(std::string_view key);
+  TomlReader table(std::string_view key);
+  /// Every key of a table of strings.
+  std::vector<std::pair<std::string, std::string>> texts();
+  /// Refuses keys that no one asked for. To be called when everything has been read.
+  void refuse_unknown() const;
+  [[noreturn]] void refuse(toml::node const& node, std::string_view key,
+                           std::string_view what_is_allowed) const;
+
+ private:
+  toml::node const& node(std::string_view key, std::string_view what_is_allowed);
+  double finite(toml::node const& node, std::string_view key) const;
+
+  toml::table const& table_;
+  std::string file_, path_;
+  std::vector<std::string> known_;
+};
+
+/// Throws InputError with file and line when the text is no TOML.
+toml::table parse_toml(std::string_view text, std::string const& file);
+
+} // namespace mesobridge::fitting
