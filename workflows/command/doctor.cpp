@@ -1,7 +1,7 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/process.hpp"
-#include "workflows/store.hpp"
+#include "workflows/store/store.hpp"
 #include "workflows/version.hpp"
 #include <filesystem>
 #include <omp.h>

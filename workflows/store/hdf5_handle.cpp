@@ -1,4 +1,4 @@
-#include "workflows/hdf5_handle.hpp"
+#include "workflows/store/hdf5_handle.hpp"
 
 namespace mesobridge::workflows {
 
@@ -31,7 +31,10 @@ std::string hdf5_cause() {
   return causes.innermost.empty() ? "unknown cause" : causes.innermost;
 }
 
-void silence_hdf5() {
+void prepare_hdf5() {
+  // After a write that failed, HDF5's own tidying at exit crashes (seen with 1.10.8 and a full disk). Every
+  // handle here is closed by its owner, so nothing is left to tidy.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

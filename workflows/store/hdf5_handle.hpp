@@ -33,7 +33,8 @@ class Hdf5Handle {
 /// otherwise the innermost message of HDF5's error stack.
 std::string hdf5_cause();
 
-/// Stops HDF5 from printing its error stack on stderr.
-void silence_hdf5();
+/// To be called before anything else of HDF5, as often as you like: its error stack is no longer printed on
+/// stderr, and it does nothing at the program's exit.
+void prepare_hdf5();
 
 } // namespace mesobridge::workflows

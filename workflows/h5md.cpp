@@ -1,0 +1,106 @@
+#include "workflows/h5md.hpp"
+#include "md/error.hpp"
+#include "workflows/version.hpp"
+#include <array>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr char const* particles = "particles/all";
+
+void append_instant(Store& store, std::string const& group, std::int64_t step, double time) {
+  store.append(group + "/step", std::span(&step, 1));
+  store.append(group + "/time", std::span(&time, 1));
+}
+
+} // namespace
+
+H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance)
+    : store_(file, Store::Mode::create), units_(units) {
+  std::array<std::int64_t, 2> const format{1, 1};
+  store_.set_attribute("h5md", "version", std::span<std::int64_t const>(format));
+  store_.set_attribute("h5md/author", "name", std::string("unknown")); // the format demands the attribute
+  store_.set_attribute("h5md/creator", "name", std::string("mesobridge"));
+  store_.set_attribute("h5md/creator", "version", std::string(version()));
+  if (units.physical) {
+    std::array<std::int64_t, 2> const module{1, 0};
+    store_.set_attribute("h5md/modules/units", "version", std::span<std::int64_t const>(module));
+    store_.set_attribute("h5md/modules/units", "system", std::string("SI"));
+  }
+  std::vector<std::string> const boundary(3, "periodic");
+  store_.set_attribute(std::string(particles) + "/box", "dimension", std::int64_t{3});
+  store_.set_attribute(std::string(particles) + "/box", "boundary", std::span<std::string const>(boundary));
+  write_provenance(store_, provenance);
+  store_.flush();
+}
+
+H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units units) {
+  Store store(file, Store::Mode::append);
+  if (!store.has_attribute("h5md", "version"))
+    throw InputError(fmt::format("'{}' is no H5MD file", file.string()));
+  return H5mdWriter(std::move(store), units);
+}
+
+void H5mdWriter::describe(std::string const& group, std::string const& unit) {
+  if (units_.physical && !unit.empty())
+    store_.set_attribute(group + "/value", "unit", unit);
+  if (units_.physical)
+    store_.set_attribute(group + "/time", "unit", std::string("ps"));
+}
+
+void H5mdWriter::append_vectors(std::string const& group, Frame const& frame, std::span<Vec3 const> values,
+                                double factor, std::string const& unit) {
+  std::vector<double> flat;
+  flat.reserve(3 * values.size());
+  for (auto const& v : values)
+    flat.insert(flat.end(), {v.x * factor, v.y * factor, v.z * factor});
+  for (double const number : flat)
+    if (!std::isfinite(number))
+      throw PhysicsError(
+          fmt::format("{} holds a {} at step {}: the frame is not written", group, number, frame.step));
+  bool const first = !store_.contains(group + "/value");
+  store_.append(group + "/value", flat, {values.size(), 3});
+  append_instant(store_, group, frame.step, frame.time * units_.time);
+  if (first)
+    describe(group, unit);
+}
+
+void H5mdWriter::append(Frame const& frame) {
+  std::string const all = particles;
+  append_vectors(all + "/position", frame, frame.positions, units_.length, "nm");
+  if (!frame.velocities.empty())
+    append_vectors(all + "/velocity", frame, frame.velocities, units_.length / units_.time, "nm ps-1");
+
+  auto const edges = all + "/box/edges";
+  bool const first = !store_.contains(edges + "/value");
+  std::array<double, 3> const edge{frame.box.edge.x * units_.length, frame.box.edge.y * units_.length,
+                                   frame.box.edge.z * units_.length};
+  store_.append(edges + "/value", std::span<double const>(edge), {3});
+  append_instant(store_, edges, frame.step, frame.time * units_.time);
+  if (first)
+    describe(edges, "nm");
+  store_.flush();
+}
+
+void H5mdWriter::append_observable(std::string const& name, std::int64_t step, double time, double value,
+                                   std::string const& unit) {
+  if (!std::isfinite(value))
+    throw PhysicsError(fmt::format("observable {} is {} at step {}: it is not written", name, value, step));
+  auto const group = "observables/" + name;
+  bool const first = !store_.contains(group + "/value");
+  store_.append(group + "/value", std::span<double const>(&value, 1));
+  append_instant(store_, group, step, time * units_.time);
+  if (first)
+    describe(group, unit);
+}
+
+void H5mdWriter::flush() {
+  store_.flush();
+}
+
+void H5mdWriter::close() {
+  store_.close();
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,26 @@
+#pragma once
+#include "workflows/command.hpp"
+#include "workflows/store/store.hpp"
+
+namespace mesobridge::workflows {
+
+/// Where a result comes from: enough to make it again.
+struct Provenance {
+  std::string command; ///< the command line
+  std::uint64_t seed = 0;
+  std::string scene;                         ///< the resolved scene, if there is one
+  std::vector<std::filesystem::path> inputs; ///< files that were read; they are named with their SHA-256
+};
+
+/// Writes the group "provenance" of a file: version, git commit, command, seed, scene and the hashes of the
+/// inputs. Throws InputError if an input cannot be read, EnvironmentError if the file cannot be written.
+void write_provenance(Store& store, Provenance const& provenance);
+
+/// The same as JSON.
+Json provenance_json(Provenance const& provenance);
+
+/// SHA-256 of a file's content, 64 hexadecimal digits. Throws InputError if it cannot be read.
+std::string sha256_of_file(std::filesystem::path const& file);
+std::string sha256(std::string_view text);
+
+} // namespace mesobridge::workflows

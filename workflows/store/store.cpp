@@ -1,0 +1,161 @@
+#include "workflows/store/store_implementation.hpp"
+
+namespace mesobridge::workflows {
+
+Store::Store(std::filesystem::path file, Mode mode) : implementation_(std::make_unique<Implementation>()) {
+  prepare_hdf5();
+  auto& self = *implementation_;
+  self.file = std::move(file);
+  auto const name = self.file.string();
+  if (mode == Mode::create) {
+    self.handle =
+        self.check({H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose}, "create");
+    return;
+  }
+  if (!std::filesystem::exists(self.file))
+    throw InputError(fmt::format("cannot read '{}': No such file or directory", name));
+  if (H5Fis_hdf5(name.c_str()) <= 0)
+    throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
+  auto const access = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
+  self.handle = self.check({H5Fopen(name.c_str(), access, H5P_DEFAULT), H5Fclose}, "open");
+}
+
+Store::Store(Store&&) noexcept = default;
+Store::~Store() = default;
+
+void Store::write(std::string const& path, std::span<double const> values, Shape const& shape) {
+  implementation_->write(path, values, shape);
+}
+void Store::write(std::string const& path, std::span<std::int64_t const> values, Shape const& shape) {
+  implementation_->write(path, values, shape);
+}
+void Store::write(std::string const& path, std::string const& text) {
+  auto const type = text_type(text.size());
+  Hdf5Handle const space(H5Screate(H5S_SCALAR), H5Sclose);
+  auto const dataset = implementation_->create_dataset(path, type.get(), space);
+  implementation_->check(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()),
+                         "write dataset '" + path + "' to");
+}
+
+void Store::append(std::string const& path, std::span<double const> values, Shape const& row_shape) {
+  implementation_->append(path, values, row_shape);
+}
+void Store::append(std::string const& path, std::span<std::int64_t const> values, Shape const& row_shape) {
+  implementation_->append(path, values, row_shape);
+}
+
+std::vector<double> Store::read_doubles(std::string const& path) const {
+  return implementation_->read<double>(path);
+}
+std::vector<std::int64_t> Store::read_integers(std::string const& path) const {
+  return implementation_->read<std::int64_t>(path);
+}
+std::string Store::read_text(std::string const& path) const {
+  auto const dataset = implementation_->open_dataset(path);
+  Hdf5Handle const type(H5Dget_type(dataset.get()), H5Tclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
+    throw InputError(fmt::format("dataset '{}' of '{}' is no text of fixed length", path, file().string()));
+  std::string text(H5Tget_size(type.get()), '\0');
+  implementation_->check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()),
+                         "read dataset '" + path + "' of");
+  return text.substr(0, text.find('\0'));
+}
+Store::Shape Store::shape(std::string const& path) const {
+  return implementation_->shape_of(implementation_->open_dataset(path));
+}
+bool Store::contains(std::string const& path) const {
+  return implementation_->contains(path);
+}
+
+std::vector<std::string> Store::list(std::string const& group) const {
+  auto const& self = *implementation_;
+  if (!self.contains(group))
+    throw InputError(fmt::format("'{}' has no group '{}'", self.file.string(), group));
+  auto const handle = self.check({H5Gopen2(self.handle.get(), group.c_str(), H5P_DEFAULT), H5Gclose},
+                                 "open group '" + group + "' of");
+  std::vector<std::string> names;
+  auto const collect = [](hid_t, char const* name, H5L_info_t const*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  self.check(H5Literate(handle.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names),
+             "list '" + group + "' of");
+  return names;
+}
+
+void Store::set_attribute(std::string const& object, std::string const& name, double value) {
+  implementation_->set_attribute(object, name, H5T_NATIVE_DOUBLE, {H5Screate(H5S_SCALAR), H5Sclose}, &value);
+}
+void Store::set_attribute(std::string const& object, std::string const& name, std::int64_t value) {
+  implementation_->set_attribute(object, name, H5T_NATIVE_INT64, {H5Screate(H5S_SCALAR), H5Sclose}, &value);
+}
+void Store::set_attribute(std::string const& object, std::string const& name,
+                          std::span<std::int64_t const> values) {
+  implementation_->set_attribute(object, name, H5T_NATIVE_INT64, simple_space({values.size()}),
+                                 values.data());
+}
+void Store::set_attribute(std::string const& object, std::string const& name, std::string const& text) {
+  implementation_->set_attribute(object, name, text_type(text.size()).get(),
+                                 {H5Screate(H5S_SCALAR), H5Sclose}, text.c_str());
+}
+void Store::set_attribute(std::string const& object, std::string const& name,
+                          std::span<std::string const> texts) {
+  std::size_t width = 1;
+  for (auto const& text : texts)
+    width = std::max(width, text.size());
+  std::string padded;
+  for (auto const& text : texts)
+    padded += text + std::string(width - text.size(), '\0');
+  implementation_->set_attribute(object, name, text_type(width).get(), simple_space({texts.size()}),
+                                 padded.data());
+}
+
+double Store::read_double_attribute(std::string const& object, std::string const& name) const {
+  return implementation_->read_number_attribute<double>(object, name);
+}
+std::int64_t Store::read_integer_attribute(std::string const& object, std::string const& name) const {
+  return implementation_->read_number_attribute<std::int64_t>(object, name);
+}
+std::string Store::read_text_attribute(std::string const& object, std::string const& name) const {
+  auto const attribute = implementation_->open_attribute(object, name);
+  Hdf5Handle const type(H5Aget_type(attribute.get()), H5Tclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
+    throw InputError(fmt::format("attribute '{}' of '{}' is no text of fixed length", name, file().string()));
+  std::string text(H5Tget_size(type.get()), '\0');
+  implementation_->check(H5Aread(attribute.get(), type.get(), text.data()),
+                         "read attribute '" + name + "' of");
+  return text.substr(0, text.find('\0'));
+}
+bool Store::has_attribute(std::string const& object, std::string const& name) const {
+  return implementation_->has_attribute(object, name);
+}
+
+void Store::link(std::string const& existing, std::string const& path) {
+  auto const& self = *implementation_;
+  auto const links = creating_groups();
+  self.check(H5Lcreate_hard(self.handle.get(), existing.c_str(), self.handle.get(), path.c_str(), links.get(),
+                            H5P_DEFAULT),
+             "link '" + path + "' in");
+}
+
+void Store::flush() {
+  implementation_->check(H5Fflush(implementation_->handle.get(), H5F_SCOPE_GLOBAL), "write");
+}
+
+void Store::close() {
+  flush();
+  implementation_->check(implementation_->handle.close(), "close");
+}
+
+std::filesystem::path const& Store::file() const {
+  return implementation_->file;
+}
+
+std::string store_library_version() {
+  prepare_hdf5();
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,216 @@
+#pragma once
+#include "md/error.hpp"
+#include "workflows/store/hdf5_handle.hpp"
+#include "workflows/store/store.hpp"
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace mesobridge::workflows {
+
+template <class T>
+hid_t memory_type();
+template <>
+inline hid_t memory_type<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t memory_type<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+
+inline std::size_t product(Store::Shape const& shape) {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
+inline std::vector<hsize_t> extents(Store::Shape const& shape) {
+  return {shape.begin(), shape.end()};
+}
+
+inline Hdf5Handle simple_space(std::vector<hsize_t> const& extents, hsize_t const* maximum = nullptr) {
+  return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), maximum), H5Sclose};
+}
+
+inline Hdf5Handle text_type(std::size_t size) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(),
+              std::max<std::size_t>(size, 1)); // HDF5 has no strings of length 0: padding stands in
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  return type;
+}
+
+/// Link properties that create the groups on the way to an object.
+inline Hdf5Handle creating_groups() {
+  Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.get(), 1);
+  return links;
+}
+
+/// The calls to HDF5 behind a Store, each one checked.
+class Store::Implementation {
+ public:
+  std::filesystem::path file;
+  Hdf5Handle handle;
+
+  [[noreturn]] void fail(std::string const& what) const {
+    throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(), hdf5_cause()));
+  }
+
+  void check(herr_t status, std::string const& what) const {
+    if (status < 0)
+      fail(what);
+  }
+
+  Hdf5Handle check(Hdf5Handle result, std::string const& what) const {
+    if (!result.valid())
+      fail(what);
+    return result;
+  }
+
+  bool contains(std::string const& path) const {
+    // H5Lexists wants every group on the way to exist.
+    for (auto slash = path.find('/', 1); slash != path.npos; slash = path.find('/', slash + 1))
+      if (H5Lexists(handle.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+        return false;
+    return path == "/" || H5Lexists(handle.get(), path.c_str(), H5P_DEFAULT) > 0;
+  }
+
+  Hdf5Handle open_dataset(std::string const& path) const {
+    if (!contains(path))
+      throw InputError(fmt::format("'{}' has no dataset '{}'", file.string(), path));
+    return check({H5Dopen2(handle.get(), path.c_str(), H5P_DEFAULT), H5Dclose},
+                 "open dataset '" + path + "' of");
+  }
+
+  Hdf5Handle create_dataset(std::string const& path, hid_t type, Hdf5Handle const& space,
+                            Hdf5Handle const& layout = {H5Pcreate(H5P_DATASET_CREATE), H5Pclose}) const {
+    if (contains(path))
+      check(H5Ldelete(handle.get(), path.c_str(), H5P_DEFAULT), "replace dataset '" + path + "' in");
+    auto const links = creating_groups();
+    H5Pset_obj_track_times(layout.get(), false); // equal data make equal files
+    return check(
+        {H5Dcreate2(handle.get(), path.c_str(), type, space.get(), links.get(), layout.get(), H5P_DEFAULT),
+         H5Dclose},
+        "create dataset '" + path + "' in");
+  }
+
+  template <class T>
+  void write(std::string const& path, std::span<T const> values, Shape shape) const {
+    if (shape.empty())
+      shape = {values.size()};
+    if (product(shape) != values.size())
+      throw std::logic_error(
+          fmt::format("dataset '{}': {} values do not fill the shape", path, values.size()));
+    auto const dataset = create_dataset(path, memory_type<T>(), simple_space(extents(shape)));
+    check(H5Dwrite(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "write dataset '" + path + "' to");
+  }
+
+  template <class T>
+  Hdf5Handle create_growing(std::string const& path, std::vector<hsize_t> const& row) const {
+    // Chunks near 64 kB: large enough for the disk, small enough that a short series wastes little.
+    hsize_t const row_bytes =
+        std::accumulate(row.begin(), row.end(), hsize_t{sizeof(T)}, std::multiplies<>());
+    std::vector<hsize_t> size{0}, maximum{H5S_UNLIMITED},
+        chunk{std::clamp<hsize_t>(65536 / row_bytes, 1, 1024)};
+    for (auto const n : row)
+      size.push_back(n), maximum.push_back(n), chunk.push_back(n);
+    Hdf5Handle const layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_chunk(layout.get(), static_cast<int>(chunk.size()), chunk.data());
+    return create_dataset(path, memory_type<T>(), simple_space(size, maximum.data()), layout);
+  }
+
+  template <class T>
+  void append(std::string const& path, std::span<T const> values, Shape const& row_shape) const {
+    auto const row = extents(row_shape);
+    std::size_t const row_size = product(row_shape);
+    if (row_size == 0 || values.size() % row_size != 0)
+      throw std::logic_error(fmt::format("dataset '{}': {} values are no whole rows", path, values.size()));
+    auto const dataset = contains(path) ? open_dataset(path) : create_growing<T>(path, row);
+    Hdf5Handle const old_space(H5Dget_space(dataset.get()), H5Sclose);
+    std::vector<hsize_t> size(row.size() + 1);
+    if (H5Sget_simple_extent_ndims(old_space.get()) != static_cast<int>(size.size()))
+      throw std::logic_error(fmt::format("dataset '{}' has rows of another shape", path));
+    H5Sget_simple_extent_dims(old_space.get(), size.data(), nullptr);
+    if (!std::equal(row.begin(), row.end(), size.begin() + 1))
+      throw std::logic_error(fmt::format("dataset '{}' has rows of another shape", path));
+
+    std::vector<hsize_t> start(size.size(), 0), count = size;
+    start[0] = size[0];
+    count[0] = values.size() / row_size;
+    size[0] += count[0];
+    auto const what = "append to dataset '" + path + "' of";
+    check(H5Dset_extent(dataset.get(), size.data()), what);
+    Hdf5Handle const space(H5Dget_space(dataset.get()), H5Sclose);
+    check(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+          what);
+    check(H5Dwrite(dataset.get(), memory_type<T>(), simple_space(count).get(), space.get(), H5P_DEFAULT,
+                   values.data()),
+          what);
+  }
+
+  Shape shape_of(Hdf5Handle const& dataset) const {
+    Hdf5Handle const space(H5Dget_space(dataset.get()), H5Sclose);
+    std::vector<hsize_t> size(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.get()))));
+    H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
+    return {size.begin(), size.end()};
+  }
+
+  template <class T>
+  std::vector<T> read(std::string const& path) const {
+    auto const dataset = open_dataset(path);
+    Hdf5Handle const type(H5Dget_type(dataset.get()), H5Tclose);
+    auto const kind = H5Tget_class(type.get());
+    bool const fits = kind == H5T_INTEGER || (kind == H5T_FLOAT && std::is_same_v<T, double>);
+    if (!fits)
+      throw InputError(fmt::format("dataset '{}' of '{}' does not hold {}", path, file.string(),
+                                   std::is_same_v<T, double> ? "numbers" : "integers"));
+    std::vector<T> values(product(shape_of(dataset)));
+    check(H5Dread(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "read dataset '" + path + "' of");
+    return values;
+  }
+
+  Hdf5Handle open_or_create_object(std::string const& path) const {
+    if (contains(path))
+      return check({H5Oopen(handle.get(), path.c_str(), H5P_DEFAULT), H5Oclose}, "open '" + path + "' of");
+    auto const links = creating_groups();
+    return check({H5Gcreate2(handle.get(), path.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose},
+                 "create group '" + path + "' in");
+  }
+
+  void set_attribute(std::string const& path, std::string const& name, hid_t type, Hdf5Handle const& space,
+                     void const* data) const {
+    auto const object = open_or_create_object(path);
+    auto const what = "write attribute '" + name + "' of '" + path + "' to";
+    if (H5Aexists(object.get(), name.c_str()) > 0)
+      check(H5Adelete(object.get(), name.c_str()), what);
+    auto const attribute =
+        check({H5Acreate2(object.get(), name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose},
+              what);
+    check(H5Awrite(attribute.get(), type, data), what);
+  }
+
+  bool has_attribute(std::string const& path, std::string const& name) const {
+    return contains(path) && H5Aexists_by_name(handle.get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  }
+
+  Hdf5Handle open_attribute(std::string const& path, std::string const& name) const {
+    if (!has_attribute(path, name))
+      throw InputError(fmt::format("'{}' has no attribute '{}' at '{}'", file.string(), name, path));
+    return check(
+        {H5Aopen_by_name(handle.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose},
+        "open attribute '" + name + "' of");
+  }
+
+  template <class T>
+  T read_number_attribute(std::string const& path, std::string const& name) const {
+    auto const attribute = open_attribute(path, name);
+    T value{};
+    check(H5Aread(attribute.get(), memory_type<T>(), &value), "read attribute '" + name + "' of");
+    return value;
+  }
+};
+
+} // namespace mesobridge::workflows
