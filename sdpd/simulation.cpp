@@ -23,6 +23,8 @@ void validate(SimulationSettings const& s) {
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
+  require(s.disorder >= 0 && s.disorder <= 0.5, "disorder", s.disorder,
+          "must lie in 0 ... 0.5 lattice spacings");
   for (auto const n : s.lattice)
     require(n >= 1, "particles along an edge", n, "must be >= 1");
 }
@@ -31,14 +33,18 @@ std::size_t particle_count(SimulationSettings const& s) {
   return std::size_t{s.lattice[0]} * s.lattice[1] * s.lattice[2];
 }
 
-/// Positions on a simple cubic lattice of spacing 1 (the mean distance between particles), ids in its order.
-void place_on_lattice(Particles& particles, std::array<std::uint32_t, 3> const& lattice) {
+/// Positions on a simple cubic lattice of spacing 1 (the mean distance between particles) with Gaussian
+/// displacements, ids in its order.
+void place_on_lattice(Particles& particles, SimulationSettings const& settings) {
+  NoiseSource const source(settings.seed, Stream::initial_positions, 0);
+  auto const [n_x, n_y, n_z] = settings.lattice;
   std::uint32_t id = 0;
-  for (std::uint32_t z = 0; z < lattice[2]; ++z)
-    for (std::uint32_t y = 0; y < lattice[1]; ++y)
-      for (std::uint32_t x = 0; x < lattice[0]; ++x, ++id) {
+  for (std::uint32_t z = 0; z < n_z; ++z)
+    for (std::uint32_t y = 0; y < n_y; ++y)
+      for (std::uint32_t x = 0; x < n_x; ++x, ++id) {
+        auto const G = gaussians_reference(source, id, 0);
         particles.id[id] = id;
-        particles.q[id] = {x + 0.5, y + 0.5, z + 0.5};
+        particles.q[id] = Vec3{x + 0.5, y + 0.5, z + 0.5} + settings.disorder * Vec3{G[0], G[1], G[2]};
       }
 }
 
@@ -78,13 +84,30 @@ std::unique_ptr<Simulation::Engine> build(SimulationSettings const& s, Eos const
       .scratch = {},
   };
   system.particles.resize(particle_count(s));
-  place_on_lattice(system.particles, s.lattice);
+  place_on_lattice(system.particles, s);
   draw_momenta(system.particles, system.boltzmann, s.seed);
   std::fill(system.particles.T.begin(), system.particles.T.end(), 1.0);
   auto engine = std::make_unique<EngineFor<Eos, Kernel>>(std::move(system));
   engine->set_energies_from_temperatures();
   engine->refresh();
   return engine;
+}
+
+struct MeanTemperatures {
+  double T_kin = 0, T_int = 0;
+};
+
+MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
+                                 std::function<bool()> const& keep_going) {
+  MeanTemperatures sum;
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    simulation.advance(1);
+    Observation const now = simulation.observe();
+    sum.T_kin += now.T_kin, sum.T_int += now.T_int;
+    if (k % 32 == 0 && !keep_going())
+      throw Interrupted("stopped while the system came to equilibrium");
+  }
+  return {sum.T_kin / static_cast<double>(steps), sum.T_int / static_cast<double>(steps)};
 }
 
 } // namespace
@@ -161,6 +184,11 @@ void Simulation::heat(double rise) {
   engine_->refresh();
 }
 
+void Simulation::scale_momenta(double factor) {
+  for (auto& p : engine_->particles().p)
+    p *= factor;
+}
+
 double Simulation::heat_capacity() const {
   double sum = 0;
   for (double const C : engine_->heat_capacities())
@@ -200,21 +228,18 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
     auto const end = static_cast<std::uint64_t>(share_done * static_cast<double>(steps));
     if (end == done)
       continue;
-    double const n = static_cast<double>(simulation.size());
-    // The weights are the heat capacities: so weighted, most of the exchange between the two kinds of energy,
-    // which makes each temperature fluctuate, cancels.
-    double const kinetic_share = 1.5 * (n - 1) / simulation.heat_capacity();
-    double sum = 0;
-    std::uint64_t count = 0;
-    for (; done < end; ++done, ++count) {
-      simulation.advance(1);
-      Observation const now = simulation.observe();
-      sum += kinetic_share * now.T_kin + (1 - kinetic_share) * now.T_int;
-      if (done % 32 == 0 && !keep_going())
-        throw Interrupted("stopped while the system came to equilibrium");
-    }
-    double const missing = 1 - sum / static_cast<double>(count);
+    auto const mean = run_and_average(simulation, end - done, keep_going);
+    done = end;
+    // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
+    // each temperature fluctuate, cancels.
+    double const kinetic_share =
+        1.5 * (static_cast<double>(simulation.size()) - 1) / simulation.heat_capacity();
+    double const missing = 1 - kinetic_share * mean.T_kin - (1 - kinetic_share) * mean.T_int;
     simulation.heat(missing / (1 - kinetic_share));
+    // Large particles exchange their little kinetic energy slowly; it is brought to the set temperature
+    // directly while the disorder of the start decays.
+    if (share < 0.25)
+      simulation.scale_momenta(1 / std::sqrt(mean.T_kin));
   }
 }
 

@@ -19,6 +19,8 @@ struct SimulationSettings {
   double K = 0;   ///< size of a particle in atoms or molecules, >= 1 (> 1 for the ideal gas)
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
+  double disorder =
+      0; ///< standard deviation of the initial displacements from it, in lattice spacings, 0 ... 0.5
   KernelKind kernel = KernelKind::cubic;
   double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
   double eta = 0;        ///< shear viscosity
@@ -73,7 +75,7 @@ class Simulation {
   void heat(double rise);
   /// Total heat capacity dE/dT, internal and kinetic, in k_B.
   double heat_capacity() const;
-  /// Stops the motion of the whole and sets nothing else.
+  void scale_momenta(double factor);
   void set_time_step(double dt);
   double time_step() const { return dt_; }
 

@@ -1,0 +1,66 @@
+#include "sdpd/observe/equilibrium.hpp"
+#include <gsl/gsl_fit.h>
+#include <gsl/gsl_statistics_double.h>
+
+namespace mesobridge::sdpd {
+namespace {
+
+double slope(std::span<double const> x, std::span<double const> y) {
+  double offset, rate, cov_00, cov_01, cov_11, sum_of_squares;
+  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &offset, &rate, &cov_00, &cov_01, &cov_11,
+                 &sum_of_squares);
+  return rate;
+}
+
+} // namespace
+
+Drift energy_drift(std::span<double const> times, std::span<double const> energies) {
+  std::size_t const n = times.size(), segments = 8;
+  require(n >= 32 && n == energies.size(), "samples for an energy drift", n,
+          "must be at least 32, times and energies alike");
+  std::vector<double> error(n);
+  for (std::size_t k = 0; k < n; ++k)
+    error[k] = energies[k] / energies[0] - 1;
+  std::array<double, 8> rates;
+  for (std::size_t s = 0; s < segments; ++s) {
+    std::size_t const begin = s * n / segments, end = (s + 1) * n / segments;
+    rates[s] = slope(times.subspan(begin, end - begin), std::span(error).subspan(begin, end - begin));
+  }
+  return {slope(times, error), gsl_stats_sd(rates.data(), 1, segments) / std::sqrt(double(segments))};
+}
+
+InstantMoments moments(Snapshot const& now) {
+  auto mean = [](std::vector<double> const& x) { return gsl_stats_mean(x.data(), 1, x.size()); };
+  auto variance = [](std::vector<double> const& x) { return gsl_stats_variance(x.data(), 1, x.size()); };
+  return {mean(now.eps), variance(now.eps), mean(now.rho), variance(now.rho), mean(now.P), variance(now.P)};
+}
+
+void EquilibriumSampler::sample(double time, double energy, double T_kin, double T_int, double P) {
+  times_.push_back(time), energies_.push_back(energy);
+  T_kin_.push_back(T_kin), T_int_.push_back(T_int), P_.push_back(P);
+}
+
+ParticleMoments EquilibriumSampler::estimate(double InstantMoments::*mean,
+                                             double InstantMoments::*variance) const {
+  std::vector<double> means, variances;
+  for (auto const& instant : moments_)
+    means.push_back(instant.*mean), variances.push_back(instant.*variance);
+  return {cg::estimate_mean(means), cg::estimate_mean(variances)};
+}
+
+Equilibrium EquilibriumSampler::result() const {
+  require(times_.size() >= 32, "samples", times_.size(),
+          "at least 32 are needed for errors: run longer or sample more often");
+  require(moments_.size() >= 16, "samples of the particles", moments_.size(),
+          "at least 16 are needed for errors: run longer or sample more often");
+  using M = InstantMoments;
+  return {cg::estimate_mean(T_kin_),
+          cg::estimate_mean(T_int_),
+          cg::estimate_mean(P_),
+          estimate(&M::eps_mean, &M::eps_variance),
+          estimate(&M::rho_mean, &M::rho_variance),
+          estimate(&M::P_mean, &M::P_variance),
+          energy_drift(times_, energies_)};
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,58 @@
+#include "workflows/sdpd/checkpoint_file.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+// Three doubles in a row are what HDF5 shall see of a vector.
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_standard_layout_v<Vec3>);
+
+std::span<double const> numbers(std::vector<Vec3> const& vectors) {
+  return {reinterpret_cast<double const*>(vectors.data()), 3 * vectors.size()};
+}
+
+std::vector<Vec3> vectors(std::vector<double> const& numbers) {
+  std::vector<Vec3> result(numbers.size() / 3);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  return result;
+}
+
+} // namespace
+
+void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const& c,
+                      Provenance const& provenance) {
+  auto const fresh = std::filesystem::path(file).concat(".new");
+  Store store(fresh, Store::Mode::create);
+  std::size_t const n = c.id.size();
+  std::int64_t const step = static_cast<std::int64_t>(c.step);
+  std::vector<std::int64_t> const id(c.id.begin(), c.id.end());
+  store.write("step", std::span(&step, 1));
+  store.write("id", id);
+  store.write("q", numbers(c.q), {n, 3});
+  store.write("q_at_renewal", numbers(c.q_at_renewal), {n, 3});
+  store.write("p", numbers(c.p), {n, 3});
+  store.write("eps", c.eps);
+  store.write("T", c.T);
+  write_provenance(store, provenance);
+  store.write("scene", provenance.scene);
+  store.close();
+  std::error_code error;
+  std::filesystem::rename(fresh, file, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot write checkpoint '{}': {}", file.string(), error.message()));
+}
+
+StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
+  Store const store(file, Store::Mode::read);
+  auto const id = store.read_integers("id");
+  return {.checkpoint = {.step = static_cast<std::uint64_t>(store.read_integers("step").at(0)),
+                         .id = {id.begin(), id.end()},
+                         .q = vectors(store.read_doubles("q")),
+                         .q_at_renewal = vectors(store.read_doubles("q_at_renewal")),
+                         .p = vectors(store.read_doubles("p")),
+                         .eps = store.read_doubles("eps"),
+                         .T = store.read_doubles("T")},
+          .scene = store.read_text("scene")};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,28 @@
+#pragma once
+#include "sdpd/simulation.hpp"
+#include "workflows/scene/scene.hpp"
+
+namespace mesobridge::workflows {
+
+/// The equation of state that a scene names: a built-in material, the ideal gas of its m0, or a fitted
+/// model's file. Throws InputError.
+fitting::AnyEos eos_of(Scene const& scene);
+
+/// What the engine needs of a scene.
+sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
+
+/// Three factors of N as near to each other as can be. Throws InputError, with the nearest cube, when the
+/// flattest box of N particles is flatter than 1 : 3.
+std::array<std::uint32_t, 3> lattice_of(std::int64_t N);
+
+/// Factors from the engine's reduced units to those of the scene, and the ends of the keys that go with them:
+/// "_K" in SI, nothing in Lennard-Jones units.
+struct OutputUnits {
+  double time, energy, specific_energy, temperature, pressure, density, momentum;
+  std::string time_key, energy_key, specific_energy_key, temperature_key, pressure_key, density_key,
+      momentum_key;
+
+  OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system);
+};
+
+} // namespace mesobridge::workflows
