@@ -1,0 +1,40 @@
+#pragma once
+#include "fitting/eos/list.hpp"
+#include <algorithm>
+#include <random>
+
+namespace mesobridge::fitting::test {
+
+struct RandomState {
+  double rho, T;
+};
+
+/// A state from all over a model's domain: log-uniform in temperature from a tenth of the natural unit, so
+/// that the low-temperature continuation is visited too; uniform in density.
+template <class E>
+RandomState random_state(E const& eos, std::mt19937_64& generator) {
+  auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  auto const domain = eos.domain();
+  bool const bounded = std::isfinite(domain.rho_max);
+  double const rho_max = bounded ? domain.rho_max : 5000, T_max = bounded ? domain.T_max : 1e5;
+  return {uniform(1e-3, 1) * rho_max, T_max * std::pow(1e-3, uniform(0, 1))};
+}
+
+/// The temperature below which a model's thermal scale k_B T no longer measures the terms that cancel in P
+/// and its derivatives: the well depth of Lennard-Jones models, none for others.
+template <class E>
+double interaction_temperature(E const& eos) {
+  if constexpr (requires { eos.scale(); })
+    return eos.scale().temperature;
+  else
+    return 0;
+}
+
+/// |a - b| in units of the larger of |a|, |b| and a natural scale of the quantity.
+inline double discrepancy(double a, double b, double scale) {
+  return std::abs(a - b) / std::max({std::abs(a), std::abs(b), scale});
+}
+
+} // namespace mesobridge::fitting::test
