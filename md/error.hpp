@@ -30,7 +30,8 @@ struct Interrupted : std::runtime_error {
 /// Refuses bad input by name and value: `require(sigma > 0, "LJ sigma", sigma, "must be > 0")`.
 /// A condition on a NaN is false, so NaNs are refused too.
 template <class Value>
-void require(bool condition, std::string_view quantity, Value const& value, std::string_view what_is_allowed) {
+void require(bool condition, std::string_view quantity, Value const& value,
+             std::string_view what_is_allowed) {
   if (!condition)
     throw InputError(fmt::format("{} = {}: {}", quantity, value, what_is_allowed));
 }

@@ -4,8 +4,8 @@
 namespace mesobridge {
 
 /// Exact SI values (2019).
-inline constexpr double k_B = 1.380649e-23;     ///< Boltzmann's constant [J/K]
-inline constexpr double N_A = 6.02214076e23;    ///< Avogadro's constant [1/mol]
+inline constexpr double k_B = 1.380649e-23;              ///< Boltzmann's constant [J/K]
+inline constexpr double N_A = 6.02214076e23;             ///< Avogadro's constant [1/mol]
 inline constexpr double atomic_mass = 1.66053906660e-27; ///< [kg], CODATA 2018
 
 /// The Lennard-Jones unit system of one substance: SI = reduced * unit.

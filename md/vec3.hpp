@@ -7,9 +7,18 @@ namespace mesobridge {
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
-  Vec3& operator+=(Vec3 const& o) { x += o.x, y += o.y, z += o.z; return *this; }
-  Vec3& operator-=(Vec3 const& o) { x -= o.x, y -= o.y, z -= o.z; return *this; }
-  Vec3& operator*=(double s) { x *= s, y *= s, z *= s; return *this; }
+  Vec3& operator+=(Vec3 const& o) {
+    x += o.x, y += o.y, z += o.z;
+    return *this;
+  }
+  Vec3& operator-=(Vec3 const& o) {
+    x -= o.x, y -= o.y, z -= o.z;
+    return *this;
+  }
+  Vec3& operator*=(double s) {
+    x *= s, y *= s, z *= s;
+    return *this;
+  }
   friend Vec3 operator+(Vec3 a, Vec3 const& b) { return a += b; }
   friend Vec3 operator-(Vec3 a, Vec3 const& b) { return a -= b; }
   friend Vec3 operator-(Vec3 const& a) { return {-a.x, -a.y, -a.z}; }
@@ -19,8 +28,14 @@ struct Vec3 {
   friend bool operator==(Vec3 const&, Vec3 const&) = default;
 };
 
-inline double dot(Vec3 const& a, Vec3 const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double norm2(Vec3 const& a) { return dot(a, a); }
-inline double norm(Vec3 const& a) { return std::sqrt(norm2(a)); }
+inline double dot(Vec3 const& a, Vec3 const& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline double norm2(Vec3 const& a) {
+  return dot(a, a);
+}
+inline double norm(Vec3 const& a) {
+  return std::sqrt(norm2(a));
+}
 
 } // namespace mesobridge

@@ -1,0 +1,76 @@
+#pragma once
+#include "md/error.hpp"
+#include "md/frame.hpp"
+#include "md/mpi_world.hpp"
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesobridge::md {
+
+/// An error that LAMMPS reports, with LAMMPS's own text and the command that met it.
+struct LammpsError : EnvironmentError {
+  using EnvironmentError::EnvironmentError;
+};
+
+/// Which ranks run one LAMMPS together.
+enum class Ranks {
+  own, ///< this rank alone; other ranks may run their own
+  all  ///< all ranks of the world, which then must all make the same calls
+};
+
+enum class Log { replace, append };
+
+/// One LAMMPS inside this process. LAMMPS writes to its log file only, never to the terminal. Every error
+/// inside LAMMPS is thrown as LammpsError; the session is then spent (its run is half done) and may only be
+/// destroyed. With Ranks::all an error of a single rank leaves the others waiting: the program must then end
+/// with MpiWorld::abort.
+class LammpsSession {
+ public:
+  /// Throws LammpsError when the log file cannot be written.
+  LammpsSession(MpiWorld const& world, Ranks ranks, std::filesystem::path const& log_file,
+                Log log = Log::replace);
+  ~LammpsSession();
+  LammpsSession(LammpsSession&&) noexcept;
+  LammpsSession& operator=(LammpsSession&&) noexcept;
+
+  /// Runs one LAMMPS command, as in an input script.
+  void command(std::string const& text);
+  /// The same with fmt's format; numbers are written so that they read back unchanged.
+  template <class... Args>
+  void command(fmt::format_string<Args const&...> format, Args const&... args) requires(sizeof...(Args) > 0) {
+    command(fmt::format(format, args...));
+  }
+
+  /// A keyword of LAMMPS's `thermo_style` as of the last step: "temp", "pe", "press", "vol" ... All ranks
+  /// must ask.
+  double thermo(std::string const& keyword);
+  /// The global scalar of a compute.
+  double compute(std::string const& id);
+  std::int64_t atoms() const;
+  std::int64_t step() const;
+  /// All atoms, on every rank. Throws InputError when the box is not rectangular.
+  Frame frame();
+
+  /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
+  bool has_style(std::string const& category, std::string const& name) const;
+
+ private:
+  struct Handle;
+  /// Runs a call into LAMMPS; an error spends the session and is told with `doing`.
+  template <class Call>
+  auto guarded(std::string const& doing, Call&& call);
+
+  std::unique_ptr<Handle> handle_;
+};
+
+/// What LAMMPS is installed, for `doctor`.
+struct LammpsInstallation {
+  int version = 0; ///< as the date yyyymmdd
+  std::vector<std::string> packages;
+};
+LammpsInstallation lammps_installation(MpiWorld const& world);
+
+} // namespace mesobridge::md

@@ -1,0 +1,66 @@
+// The C interface alone: MPI's C++ bindings were withdrawn from the standard.
+#define OMPI_SKIP_MPICXX 1
+#include "md/mpi_world.hpp"
+#include "md/error.hpp"
+#include <cstdlib>
+#include <mpi.h>
+
+namespace mesobridge::md {
+namespace {
+
+void finalise_at_exit() {
+  int finalised = 0;
+  MPI_Finalized(&finalised);
+  if (!finalised)
+    MPI_Finalize();
+}
+
+} // namespace
+
+MpiWorld::MpiWorld() {
+  int started = 0, finalised = 0;
+  MPI_Initialized(&started);
+  MPI_Finalized(&finalised);
+  if (finalised)
+    throw EnvironmentError("MPI has already been finalised in this process and cannot start again");
+  if (!started) {
+    if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS)
+      throw EnvironmentError("MPI could not be started");
+    std::atexit(finalise_at_exit);
+  }
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+}
+
+void MpiWorld::send(int to, int tag, std::span<double const> content) const {
+  MPI_Send(content.data(), int(content.size()), MPI_DOUBLE, to, tag, MPI_COMM_WORLD);
+}
+
+std::optional<Message> MpiWorld::receive(int tag) const {
+  int arrived = 0, count = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &arrived, &status);
+  if (!arrived)
+    return std::nullopt;
+  MPI_Get_count(&status, MPI_DOUBLE, &count);
+  Message message{status.MPI_SOURCE, tag, std::vector<double>(std::size_t(count))};
+  MPI_Recv(message.content.data(), count, MPI_DOUBLE, message.from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return message;
+}
+
+bool MpiWorld::root_says(bool answer) const {
+  int value = answer;
+  MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  return value != 0;
+}
+
+void MpiWorld::barrier() const {
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+void MpiWorld::abort(int exit_code) const {
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  std::abort(); // MPI_Abort is not declared to end the process
+}
+
+} // namespace mesobridge::md

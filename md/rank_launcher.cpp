@@ -1,0 +1,172 @@
+#include "md/rank_launcher.hpp"
+#include "md/error.hpp"
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mesobridge::md {
+namespace {
+
+constexpr char const* terminal_variable = "MESOBRIDGE_TERMINAL";
+
+std::string find_program(std::string const& name) {
+  char const* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    auto const file = std::filesystem::path(folder) / name;
+    if (access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file))
+      return file.string();
+  }
+  throw EnvironmentError(
+      fmt::format("'{}' was not found: install the package openmpi-bin, or run on one rank", name));
+}
+
+std::vector<std::string> mpirun_command(std::string const& mpirun, int ranks,
+                                        std::vector<std::string> const& argv) {
+  std::vector<std::string> command{
+      mpirun, "--quiet", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none",
+      // one machine, no network: neither remote shells nor interfaces are looked for
+      "--mca", "plm", "isolated", "--mca", "btl", "self,vader",
+      // a rank that ends with an error code has already said why: no second opinion
+      "--mca", "orte_abort_on_non_zero_status", "0"};
+  command.insert(command.end(), argv.begin(), argv.end());
+  return command;
+}
+
+/// Only signal-safe calls happen between fork and exec, so everything is prepared before.
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> result;
+  for (auto& word : words)
+    result.push_back(word.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+std::vector<std::string> environment_for_ranks() {
+  std::vector<std::string> result;
+  for (char** variable = environ; *variable; ++variable)
+    result.emplace_back(*variable);
+  if (geteuid() == 0) { // Open MPI asks root twice
+    result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
+    result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
+  }
+  std::string terminals;
+  for (int descriptor : {1, 2})
+    terminals += isatty(descriptor) ? std::to_string(descriptor) : "";
+  result.push_back(fmt::format("{}={}", terminal_variable, terminals));
+  return result;
+}
+
+/// While it lives, SIGINT and SIGTERM wait to be collected instead of ending this process.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigemptyset(&held_);
+    for (int signal : {SIGINT, SIGTERM, SIGCHLD})
+      sigaddset(&held_, signal);
+    pthread_sigmask(SIG_BLOCK, &held_, &before_);
+  }
+  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  HeldSignals(HeldSignals const&) = delete;
+  HeldSignals& operator=(HeldSignals const&) = delete;
+
+  /// The next signal, or 0 when none has come for a quarter of a second.
+  int wait() const {
+    timespec const patience{.tv_sec = 0, .tv_nsec = 250'000'000};
+    int const signal = sigtimedwait(&held_, nullptr, &patience);
+    return signal > 0 ? signal : 0;
+  }
+  sigset_t const& before() const { return before_; }
+
+ private:
+  sigset_t held_, before_;
+};
+
+[[noreturn]] void become(std::vector<char*> const& command, std::vector<char*> const& environment,
+                         sigset_t const& signals) {
+  // A group of its own, so that Ctrl-C reaches mpirun once, from us; and no life longer than ours.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  int const nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, 0);
+  pthread_sigmask(SIG_SETMASK, &signals, nullptr);
+  execve(command[0], command.data(), environment.data());
+  _exit(127);
+}
+
+/// Signals the ranks themselves, mpirun's children. mpirun would follow an interrupt of its own by a kill
+/// within a second, too soon for a checkpoint.
+void signal_ranks(pid_t mpirun, int signal) {
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", mpirun));
+  for (pid_t rank = 0; children >> rank;)
+    kill(rank, signal);
+}
+
+/// Waits for mpirun, handing on interrupts; returns its wait status and whether there were any.
+std::pair<int, bool> wait_for(pid_t mpirun, HeldSignals const& signals) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds grace{10};
+  std::optional<Clock::time_point> interrupted;
+  int status = 0;
+  for (pid_t ended = 0; (ended = waitpid(mpirun, &status, WNOHANG)) != mpirun;) {
+    if (ended < 0 && errno != EINTR)
+      throw EnvironmentError(fmt::format("mpirun was lost: {}", std::strerror(errno)));
+    int const signal = signals.wait();
+    bool const asked_to_stop = signal == SIGINT || signal == SIGTERM;
+    if (asked_to_stop && !interrupted) {
+      interrupted = Clock::now();
+      signal_ranks(mpirun, signal);
+    } else if (interrupted && (asked_to_stop || Clock::now() - *interrupted > grace)) {
+      kill(mpirun, SIGTERM);
+      interrupted = Clock::time_point::max(); // said once
+    }
+  }
+  return {status, interrupted.has_value()};
+}
+
+} // namespace
+
+bool already_on_ranks() {
+  for (char const* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "MPI_LOCALNRANKS"})
+    if (std::getenv(variable))
+      return true;
+  return false;
+}
+
+bool reaches_terminal(int descriptor) {
+  if (char const* const terminals = std::getenv(terminal_variable))
+    return std::strstr(terminals, std::to_string(descriptor).c_str()) != nullptr;
+  return isatty(descriptor) != 0;
+}
+
+int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
+  require(ranks >= 1, "ranks", ranks, "must be at least 1");
+  require(!argv.empty(), "program to start on ranks", "", "must be given");
+  auto words = mpirun_command(find_program("mpirun"), ranks, argv);
+  auto variables = environment_for_ranks();
+  auto const command = pointers(words), environment = pointers(variables);
+
+  HeldSignals const signals;
+  pid_t const child = fork();
+  if (child < 0)
+    throw EnvironmentError(fmt::format("mpirun could not be started: {}", std::strerror(errno)));
+  if (child == 0)
+    become(command, environment, signals.before());
+
+  auto const [status, interrupted] = wait_for(child, signals);
+  if (interrupted)
+    return 130;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+} // namespace mesobridge::md
