@@ -42,6 +42,11 @@ H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units un
   return H5mdWriter(std::move(store), units);
 }
 
+std::int64_t H5mdWriter::last_step() const {
+  std::string const steps = std::string(particles) + "/position/step";
+  return store_.contains(steps) ? store_.read_integers(steps).back() : -1;
+}
+
 void H5mdWriter::describe(std::string const& group, std::string const& unit) {
   if (units_.physical && !unit.empty())
     store_.set_attribute(group + "/value", "unit", unit);

@@ -40,6 +40,9 @@ class H5mdWriter {
 
   void append(Frame const& frame);
 
+  /// Step of the last frame in the file, -1 if there is none.
+  std::int64_t last_step() const;
+
   /// Appends one value to the series observables/NAME; the unit ("Pa") is noted at the first one.
   void append_observable(std::string const& name, std::int64_t step, double time, double value,
                          std::string const& unit = "");

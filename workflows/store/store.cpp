@@ -95,19 +95,17 @@ void Store::set_attribute(std::string const& object, std::string const& name,
                                  values.data());
 }
 void Store::set_attribute(std::string const& object, std::string const& name, std::string const& text) {
-  implementation_->set_attribute(object, name, text_type(text.size()).get(),
-                                 {H5Screate(H5S_SCALAR), H5Sclose}, text.c_str());
+  char const* const data = text.c_str();
+  implementation_->set_attribute(object, name, attribute_text_type().get(), {H5Screate(H5S_SCALAR), H5Sclose},
+                                 &data);
 }
 void Store::set_attribute(std::string const& object, std::string const& name,
                           std::span<std::string const> texts) {
-  std::size_t width = 1;
+  std::vector<char const*> data;
   for (auto const& text : texts)
-    width = std::max(width, text.size());
-  std::string padded;
-  for (auto const& text : texts)
-    padded += text + std::string(width - text.size(), '\0');
-  implementation_->set_attribute(object, name, text_type(width).get(), simple_space({texts.size()}),
-                                 padded.data());
+    data.push_back(text.c_str());
+  implementation_->set_attribute(object, name, attribute_text_type().get(), simple_space({texts.size()}),
+                                 data.data());
 }
 
 double Store::read_double_attribute(std::string const& object, std::string const& name) const {
@@ -119,12 +117,15 @@ std::int64_t Store::read_integer_attribute(std::string const& object, std::strin
 std::string Store::read_text_attribute(std::string const& object, std::string const& name) const {
   auto const attribute = implementation_->open_attribute(object, name);
   Hdf5Handle const type(H5Aget_type(attribute.get()), H5Tclose);
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
-    throw InputError(fmt::format("attribute '{}' of '{}' is no text of fixed length", name, file().string()));
-  std::string text(H5Tget_size(type.get()), '\0');
-  implementation_->check(H5Aread(attribute.get(), type.get(), text.data()),
+  Hdf5Handle const space(H5Aget_space(attribute.get()), H5Sclose);
+  if (H5Tis_variable_str(type.get()) <= 0 || H5Sget_simple_extent_npoints(space.get()) != 1)
+    throw InputError(fmt::format("attribute '{}' of '{}' is no text", name, file().string()));
+  char* data = nullptr;
+  implementation_->check(H5Aread(attribute.get(), attribute_text_type().get(), static_cast<void*>(&data)),
                          "read attribute '" + name + "' of");
-  return text.substr(0, text.find('\0'));
+  std::string text = data ? data : "";
+  H5free_memory(data);
+  return text;
 }
 bool Store::has_attribute(std::string const& object, std::string const& name) const {
   return implementation_->has_attribute(object, name);

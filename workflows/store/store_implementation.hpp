@@ -31,6 +31,15 @@ inline Hdf5Handle simple_space(std::vector<hsize_t> const& extents, hsize_t cons
   return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), maximum), H5Sclose};
 }
 
+/// Attributes hold texts of variable length, the only ones that h5py, and with it MDAnalysis, gives back as
+/// texts.
+inline Hdf5Handle attribute_text_type() {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  return type;
+}
+
 inline Hdf5Handle text_type(std::size_t size) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.get(),

@@ -31,7 +31,9 @@ TEST(H5md, FramesFollowTheFormat) {
   }
   {
     auto writer = H5mdWriter::continue_file(file, H5mdWriter::Units::si());
+    EXPECT_EQ(writer.last_step(), 0);
     writer.append(frame_at(10, q, v));
+    EXPECT_EQ(writer.last_step(), 10);
     writer.close();
   }
   Store const store(file, Store::Mode::read);
@@ -56,6 +58,7 @@ TEST(H5md, FramesFollowTheFormat) {
 TEST(H5md, ANaNIsRefusedAndNothingOfItsFrameIsWritten) {
   ScratchDirectory const scratch;
   H5mdWriter writer(scratch / "t.h5md", H5mdWriter::Units::reduced(), {});
+  EXPECT_EQ(writer.last_step(), -1);
   std::vector<Vec3> const good{{1, 2, 3}}, bad{{1, std::nan(""), 3}};
   writer.append(frame_at(0, good, {}));
   EXPECT_THROW(writer.append(frame_at(1, bad, {})), PhysicsError);

@@ -1,0 +1,188 @@
+#include "md/error.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/report/number_text.hpp"
+#include "workflows/report/plot.hpp"
+#include "workflows/report/report.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/text_file.hpp"
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <regex>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+Series series(std::string label, std::vector<double> y, SeriesStyle style, int colour) {
+  return {.label = std::move(label),
+          .x = {0.1, 0.2, 0.3},
+          .y = std::move(y),
+          .y_error = {},
+          .style = style,
+          .colour = colour};
+}
+
+Plot isotherms() {
+  Plot plot;
+  plot.name = "isotherms";
+  plot.title = "Isotherms";
+  plot.x.label = "ρ^*";
+  plot.x.min = 0;
+  auto& main = plot.panels.emplace_back();
+  main.series = {series("MD", {1, 2, 3.5}, SeriesStyle::points, 0),
+                 series("fit", {1, 2.1, 3.4}, SeriesStyle::lines, 1)};
+  main.series[0].y_error = {0.1, 0.1, 0.2};
+  main.y.label = "P^*";
+  main.y.logarithmic = true;
+  main.height = 3;
+  auto& residuals = plot.panels.emplace_back();
+  residuals.series = {series("", {0.3, -1.2, 0.5}, SeriesStyle::points, 0)};
+  residuals.y.label = "residual / se";
+  residuals.y.min = -3, residuals.y.max = 3;
+  residuals.legend = Legend::none;
+  residuals.level_lines = {0};
+  return plot;
+}
+
+/// Whether every tag that is opened is closed in the right order.
+bool is_balanced(std::string const& xml) {
+  static std::regex const tag(R"re(<(/?)([A-Za-z]\w*)([^<>]*?)(/?)>)re");
+  std::vector<std::string> open;
+  for (std::sregex_iterator match(xml.begin(), xml.end(), tag), end; match != end; ++match) {
+    bool const closing = (*match)[1].length() > 0, empty = (*match)[4].length() > 0;
+    if (closing && (open.empty() || open.back() != (*match)[2]))
+      return false;
+    if (closing)
+      open.pop_back();
+    else if (!empty)
+      open.push_back((*match)[2]);
+  }
+  return open.empty();
+}
+
+int count(std::string const& text, std::string const& what) {
+  int found = 0;
+  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + what.size()))
+    ++found;
+  return found;
+}
+
+TEST(Plot, IsAnSvgThatShowsEverySeriesAndLabel) {
+  auto const svg = draw_svg(isotherms());
+  EXPECT_TRUE(svg.starts_with("<svg"));
+  EXPECT_TRUE(is_balanced(svg));
+  EXPECT_FALSE(is_balanced(svg + "</g>"));
+  EXPECT_NE(svg.find(">MD<"), std::string::npos);
+  EXPECT_NE(svg.find(">fit<"), std::string::npos);
+  EXPECT_NE(svg.find("residual / se"), std::string::npos);
+  EXPECT_GE(count(svg, "xlink:href='#isothermsPt") + count(svg, "href='#gpPt"),
+            6); // three points, three residuals
+  for (auto const* colour : {"0, 114, 178", "213,  94,   0"})
+    EXPECT_NE(svg.find(colour), std::string::npos) << colour;
+}
+
+TEST(Plot, EveryStyleDraws) {
+  auto plot = isotherms();
+  int ran = 0;
+  for (auto const style :
+       {SeriesStyle::points, SeriesStyle::lines, SeriesStyle::dashes, SeriesStyle::steps, SeriesStyle::band})
+    for (auto const legend :
+         {Legend::top_left, Legend::top_right, Legend::bottom_left, Legend::bottom_right, Legend::outside}) {
+      plot.panels[0].series[0].style = style;
+      plot.panels[0].legend = legend;
+      EXPECT_TRUE(is_balanced(draw_svg(plot)));
+      ++ran;
+    }
+  EXPECT_EQ(ran, 25);
+}
+
+TEST(Plot, RefusesWhatCannotBeDrawn) {
+  auto plot = isotherms();
+  plot.panels[0].series[0].y[1] = std::nan("");
+  EXPECT_THROW(draw_svg(plot), PhysicsError);
+  plot.panels[0].series[0].y[1] = 0; // on a logarithmic axis
+  EXPECT_THROW(draw_svg(plot), PhysicsError);
+  plot.panels[0].series[0].y = {1};
+  EXPECT_THROW(draw_svg(plot), std::logic_error);
+  plot = isotherms();
+  plot.x.min = plot.x.max = 5; // an empty range: gnuplot itself refuses
+  try {
+    draw_svg(plot);
+    ADD_FAILURE() << "gnuplot's failure went unnoticed";
+  } catch (EnvironmentError const& error) {
+    EXPECT_NE(std::string(error.what()).find("gnuplot could not draw 'isotherms'"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Plot, AMissingGnuplotIsAnErrorOfTheEnvironment) {
+  EXPECT_EXIT(
+      {
+        setenv("PATH", "/nonexistent", 1);
+        try {
+          draw_svg(isotherms());
+        } catch (EnvironmentError const& error) {
+          std::cerr << error.what();
+          std::exit(4);
+        }
+      },
+      testing::ExitedWithCode(4), "cannot run 'gnuplot': No such file or directory");
+}
+
+TEST(Report, IsOneSelfContainedPage) {
+  Report report{.title = "LJ <to> SDPD",
+                .lead = "What `fit` & MD say.",
+                .verdicts = {},
+                .sections = {},
+                .provenance = {}};
+  report.provenance.command = "mesobridge workflow lj-to-sdpd";
+  report.verdicts.push_back({"Pressure", "0.6814 ± 0.0003", "0.6810", Verdict::passed});
+  report.verdicts.push_back({"Drift", "1", "0", Verdict::failed});
+  report.sections.push_back(
+      {"Isotherms",
+       {Paragraph{"a < b"}, Figure{{draw_svg(isotherms())}, "the caption"},
+        Table{comparison_header(), {comparison_row("P [GPa]", {0.6814, 0.0003, 50}, 0.6808)}, "numbers"}}});
+  auto const html = report.html();
+  EXPECT_NE(html.find("<h1>LJ &lt;to&gt; SDPD</h1>"), std::string::npos);
+  EXPECT_NE(html.find("What <code>fit</code> &amp; MD say."), std::string::npos);
+  EXPECT_NE(html.find("<td>0.68140 ± 0.00030</td><td>0.6808</td><td>+0.09 %</td><td>+2.0 se</td>"),
+            std::string::npos);
+  EXPECT_EQ(count(html, "class=\"pill passed\""), 1);
+  EXPECT_EQ(count(html, "class=\"pill failed\""), 1);
+  EXPECT_EQ(count(html, "<svg"), 1);
+  // Nothing is loaded from elsewhere: the only addresses are the names of XML's own vocabularies.
+  static std::regex const load(R"re((src|href)\s*=\s*["'](?!#)|url\(\s*["']?(?!#)|@import)re");
+  EXPECT_FALSE(std::regex_search(html, load));
+  report.sections[0].content.emplace_back(Table{{"a", "b"}, {{"1"}}, ""});
+  EXPECT_THROW(report.html(), std::logic_error);
+}
+
+TEST(NumberText, TheErrorSetsTheDigits) {
+  EXPECT_EQ(with_error_text({0.68139, 0.00031, 9}), "0.68139 ± 0.00031");
+  EXPECT_EQ(with_error_text({1150.04, 12.3, 9}), "1150 ± 12");
+  EXPECT_EQ(with_error_text({6.8139e8, 3.1e5, 9}), "(6.8139 ± 0.0031)e8");
+  EXPECT_EQ(with_error_text({-2.6e-7, 1.2e-8, 9}), "(-2.60 ± 0.12)e-7");
+  EXPECT_EQ(with_error_text({3, 0, 9}), "3");
+}
+
+TEST(Summary, UncertainQuantitiesHaveATwinAndNaNsAreRefused) {
+  tests::ScratchDirectory const scratch;
+  Json summary;
+  put(summary, "P_Pa", {6.8e8, 1e5, 100});
+  write_summary(scratch / "summary.json", summary);
+  auto const read = Json::parse(read_text_file(scratch / "summary.json"));
+  EXPECT_EQ(read["P_Pa"], 6.8e8);
+  EXPECT_EQ(read["P_Pa_se"], 1e5);
+  put(summary, "T_K", {std::numeric_limits<double>::infinity(), 1, 1});
+  try {
+    write_summary(scratch / "bad.json", summary);
+    ADD_FAILURE() << "an infinity was written";
+  } catch (PhysicsError const& error) {
+    EXPECT_NE(std::string(error.what()).find("'T_K'"), std::string::npos);
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch / "bad.json"));
+}
+
+} // namespace
+
+} // namespace mesobridge::workflows
