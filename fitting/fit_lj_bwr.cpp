@@ -134,7 +134,7 @@ struct Physical {
 };
 
 Physical strengthen_until_stable(Problem const& problem, double width, LjRegion const& region) {
-  constexpr int most = 12;
+  constexpr int most = 40; // the prior's centre itself, to round-off
   for (int strengthened = 0;; ++strengthened, width /= 2) {
     auto posterior = problem.linear.posterior(width);
     auto const set = set_from(problem, posterior, region);

@@ -13,7 +13,7 @@ struct LjBwrFitOptions {
   LjBwrPrior prior = LjBwrPrior::published;
   /// Relative prior uncertainty of U and P; without a value, that of largest evidence: in [2e-4, 0.05] for
   /// `published`, in [1e-2, 1e6] for `none`.
-  std::optional<double> prior_width;
+  std::optional<double> prior_width = std::nullopt;
   /// Search gamma in [2, 4] for the largest evidence (NLopt); otherwise it stays at the published 3.
   bool fit_gamma = false;
   /// Systematic relative errors of the data (finite size, cut-off), added in quadrature to the standard

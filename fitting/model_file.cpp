@@ -13,7 +13,8 @@ constexpr std::size_t triangle = bwr::parameters * (bwr::parameters + 1) / 2;
 
 /// Shortest text that reads back to the same bits, always a TOML float.
 std::string exact(double x) {
-  return fmt::format("{:#}", x);
+  std::string const text = fmt::format("{}", x);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string quoted(std::string const& text) {

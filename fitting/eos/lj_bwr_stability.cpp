@@ -3,6 +3,15 @@
 #include <limits>
 
 namespace mesobridge::fitting {
+namespace {
+
+/// Whether the two terms of c^2 = (dP/drho)_T + T (dP/dT)^2/(rho^2 c_v) leave a clearly positive sum.
+bool clearly_stable(LjBwrIsochore const& isochore, double T) {
+  double const c_2 = sound_speed_squared(isochore, T), isothermal = isochore.pressure_density_slope(T);
+  return c_2 > 0.2 * (std::abs(isothermal) + std::abs(c_2 - isothermal));
+}
+
+} // namespace
 
 LjStability stability(LjBwrSet const& set, LjRegion const& region) {
   bwr::Matrix const M(set.x), published(lj_bwr_1993.x);
@@ -22,7 +31,7 @@ LjStability stability(LjBwrSet const& set, LjRegion const& region) {
       found.rho_at_c_v_min = rho;
       found.T_at_c_v_min = T;
     }
-    if (sound_speed_squared(reference, T) > T && !(sound_speed_squared(fitted, T) > 0)) {
+    if (clearly_stable(reference, T) && !(sound_speed_squared(fitted, T) > 0)) {
       ++found.unstable;
       found.rho_unstable = rho;
       found.T_unstable = T;

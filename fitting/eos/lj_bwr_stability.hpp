@@ -26,7 +26,7 @@ void for_each_state(LjRegion const& region, int densities, int temperatures, Vis
 struct LjStability {
   double c_v_min; ///< smallest c_v/k_B over the region
   double rho_at_c_v_min, T_at_c_v_min;
-  int unstable;                    ///< states with c^2 <= 0 although the published set has c^2 > k_B T there
+  int unstable;                    ///< states with c^2 <= 0 where the published set is clearly stable
   double rho_unstable, T_unstable; ///< one of them
   int states;                      ///< examined
 
@@ -34,7 +34,9 @@ struct LjStability {
 };
 
 /// Examines a grid of states over the region. The published set itself has a liquid-gas region, where c^2 < 0
-/// is right; hence only states that it holds clearly stable count.
+/// is right, and is about to fail in the solid's corner (rho* = 1.3, T* < 1), where c^2 is a small difference
+/// of large terms. Hence c^2 is asked for only where the published c^2 exceeds a fifth of the summed
+/// magnitudes of its two terms.
 LjStability stability(LjBwrSet const& set, LjRegion const& region);
 
 } // namespace mesobridge::fitting
