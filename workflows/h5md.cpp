@@ -79,9 +79,10 @@ void H5mdWriter::append(Frame const& frame) {
 
   auto const edges = all + "/box/edges";
   bool const first = !store_.contains(edges + "/value");
-  std::array<double, 3> const edge{frame.box.edge.x * units_.length, frame.box.edge.y * units_.length,
-                                   frame.box.edge.z * units_.length};
-  store_.append(edges + "/value", std::span<double const>(edge), {3});
+  // The format allows three lengths for a rectangular box, but MDAnalysis 2.4 reads three vectors only.
+  auto const edge = units_.length * frame.box.edge;
+  std::array<double, 9> const vectors{edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z};
+  store_.append(edges + "/value", std::span<double const>(vectors), {3, 3});
   append_instant(store_, edges, frame.step, frame.time * units_.time);
   if (first)
     describe(edges, "nm");

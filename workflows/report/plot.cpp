@@ -45,6 +45,18 @@ std::string range_text(Axis const& axis) {
   return fmt::format("[{}:{}]", end(axis.min), end(axis.max));
 }
 
+/// Marks at 1, 2 and 5 for a logarithmic axis of few decades, where gnuplot would mark only one or two
+/// numbers.
+std::string few_decades_text(char which, Axis const& axis) {
+  if (!axis.logarithmic || !axis.min || !axis.max || *axis.max > 1000 * *axis.min)
+    return fmt::format("set {}tics auto\n", which);
+  std::string marks;
+  for (double decade = std::pow(10, std::floor(std::log10(*axis.min))); decade <= *axis.max; decade *= 10)
+    for (int const digit : {1, 2, 5})
+      marks += fmt::format("{}{:g}", marks.empty() ? "" : ", ", digit * decade);
+  return fmt::format("set format {0} '%g'\nset {0}tics ({1})\n", which, marks);
+}
+
 /// The x axis with both ends fixed, so that all panels share them: room for all data and a little more.
 Axis common_x_axis(Plot const& plot) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -82,12 +94,18 @@ std::string legend_text(Legend legend) {
   throw std::logic_error("unknown legend");
 }
 
-/// The datablock of a series: x, y and, if given, the error.
-std::string data_text(Series const& series, std::string const& name) {
+/// The datablock of a series: x, y and, if there are errors, the lower and the upper end of the bar.
+std::string data_text(Series const& series, std::string const& name, bool logarithmic) {
   std::string text = name + " << EOD\n";
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     text += fmt::format("{} {}", series.x[i], series.y[i]);
-    text += series.y_error.empty() ? "\n" : fmt::format(" {}\n", series.y_error[i]);
+    if (!series.y_error.empty()) {
+      double const low = series.y[i] - series.y_error[i];
+      // A logarithmic axis has no room for a bar that reaches zero: it ends a decade below its point.
+      text += fmt::format(" {} {}", logarithmic && low <= 0 ? series.y[i] / 10 : low,
+                          series.y[i] + series.y_error[i]);
+    }
+    text += "\n";
   }
   return text + "EOD\n";
 }
@@ -103,7 +121,11 @@ std::string drawing_text(Series const& series, std::string const& data, std::siz
   auto const points = fmt::format("pt {} ps 0.55", point_types[index % point_types.size()]);
   switch (series.style) {
   case SeriesStyle::points:
-    return series.y_error.empty() ? with("with points " + points) : with("with yerrorbars lw 1.3 " + points);
+    if (series.y_error.empty())
+      return with("with points " + points);
+    // Bars are drawn apart: gnuplot 5.4's own error bars erase what is behind their points.
+    return fmt::format("{0} using 1:3:(0):($4-$3) with vectors nohead lw 1.3 lc rgb '{1}' notitle, {2}", data,
+                       colour, with("using 1:2 with points " + points));
   case SeriesStyle::lines:
     return with("with lines lw 2");
   case SeriesStyle::dashes:
@@ -111,7 +133,7 @@ std::string drawing_text(Series const& series, std::string const& data, std::siz
   case SeriesStyle::steps:
     return with("with histeps lw 1.8");
   case SeriesStyle::band:
-    return with("using 1:($2-$3):($2+$3) with filledcurves fs transparent solid 0.18 noborder");
+    return with("using 1:3:4 with filledcurves fs transparent solid 0.18 noborder");
   }
   throw std::logic_error("unknown style");
 }
@@ -137,7 +159,7 @@ std::string axis_text(char which, Axis const& axis) {
                                  which == 'x' ? " offset 0,0.4" : "", which, range_text(axis));
   text += axis.logarithmic ? fmt::format("set logscale {0}\nset format {0} '10^{{%T}}'\n", which)
                            : fmt::format("unset logscale {0}\nset format {0} '%h'\n", which);
-  return text;
+  return text + few_decades_text(which, axis);
 }
 
 std::string panel_text(Plot const& plot, Axis const& x, Panel const& panel, std::size_t number, double top,
@@ -157,7 +179,7 @@ std::string panel_text(Plot const& plot, Axis const& x, Panel const& panel, std:
     auto const data = fmt::format("$panel{}_series{}", number, i);
     if (panel.series[i].x.empty())
       continue;
-    text += data_text(panel.series[i], data);
+    text += data_text(panel.series[i], data, panel.y.logarithmic);
     drawings += (drawings.empty() ? "" : ", ") + drawing_text(panel.series[i], data, i);
   }
   if (drawings.empty())
@@ -172,8 +194,7 @@ std::string script(Plot const& plot) {
       "rgb 'white' name '{}'\nset multiplot\nset lmargin at screen {}\nset rmargin at screen {}\n",
       plot.width, plot.height, font_size, plot.name, layout.left, layout.right);
   text += "set border 3 lw 1 lc rgb '#444444'\nset tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
-          "set grid lw 0.7 lc rgb '#e4e4e4'\nset key opaque fillcolor rgb '#ffffff' samplen 2 spacing 1.15\n"
-          "set bars 0.6\nset pointintervalbox 0\n";
+          "set grid lw 0.7 lc rgb '#e4e4e4'\nset key opaque fillcolor rgb '#ffffff' samplen 2 spacing 1.15\n";
   double const gap = 14.0 / plot.height;
   double share = 0;
   for (auto const& panel : plot.panels)

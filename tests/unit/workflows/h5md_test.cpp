@@ -42,12 +42,12 @@ TEST(H5md, FramesFollowTheFormat) {
   EXPECT_TRUE(store.has_attribute("h5md/author", "name"));
   EXPECT_EQ(store.read_integer_attribute("particles/all/box", "dimension"), 3);
   EXPECT_EQ(store.shape("particles/all/position/value"), (Store::Shape{2, 3, 3}));
-  EXPECT_EQ(store.shape("particles/all/box/edges/value"), (Store::Shape{2, 3}));
+  EXPECT_EQ(store.shape("particles/all/box/edges/value"), (Store::Shape{2, 3, 3}));
   EXPECT_EQ(store.read_integers("particles/all/position/step"), (std::vector<std::int64_t>{0, 10}));
   EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/position/time")[1], 20);   // ps
   EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/position/value")[4], 2);   // nm
   EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/velocity/value")[0], 0.1); // nm/ps
-  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/box/edges/value")[5], 3);
+  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/box/edges/value")[8], 3);
   EXPECT_EQ(store.read_text_attribute("particles/all/position/value", "unit"), "nm");
   EXPECT_EQ(store.read_text_attribute("particles/all/velocity/value", "unit"), "nm ps-1");
   EXPECT_EQ(store.read_text_attribute("particles/all/position/time", "unit"), "ps");
