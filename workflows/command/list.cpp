@@ -4,7 +4,9 @@ namespace mesobridge::workflows {
 
 std::vector<Command> commands() {
   return {
+      run_command(),
       check_command(),
+      bench_engine_command(),
       doctor_command(),
   };
 }

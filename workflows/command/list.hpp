@@ -9,6 +9,8 @@ namespace mesobridge::workflows {
 std::vector<Command> commands();
 
 Command check_command();
+Command run_command();
+Command bench_engine_command();
 Command doctor_command();
 
 } // namespace mesobridge::workflows

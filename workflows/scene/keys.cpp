@@ -125,6 +125,10 @@ std::vector<SceneKey> const& scene_keys() {
           "particles", "h_factor", [](Scene& s) { return &s.particles.h_factor; },
           "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
           .in({.min = 1, .max = 10}),
+      Line(
+          "particles", "disorder", [](Scene& s) { return &s.particles.disorder; },
+          "standard deviation of the initial displacements from a cubic lattice, in its spacings")
+          .in({.min = 0, .max = 0.5}),
 
       Line(
           "transport", "eta", [](Scene& s) { return &s.transport.eta; }, "shear viscosity")

@@ -33,6 +33,7 @@ struct Scene {
     double K = 0;
     std::string kernel = "cubic";
     double h_factor = 2.5;
+    double disorder = 0.15;
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {

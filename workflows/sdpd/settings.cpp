@@ -1,6 +1,7 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
 #include "workflows/text_file.hpp"
+#include <omp.h>
 
 namespace mesobridge::workflows {
 
@@ -44,6 +45,10 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   if (!scene.scheme.dt.reduced)
     settings.dt /= settings.units().time();
   return settings;
+}
+
+int available_threads() {
+  return omp_get_num_procs();
 }
 
 OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)

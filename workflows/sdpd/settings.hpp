@@ -15,6 +15,9 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
 /// flattest box of N particles is flatter than 1 : 3.
 std::array<std::uint32_t, 3> lattice_of(std::int64_t N);
 
+/// Processors that this process may use.
+int available_threads();
+
 /// Factors from the engine's reduced units to those of the scene, and the ends of the keys that go with them:
 /// "_K" in SI, nothing in Lennard-Jones units.
 struct OutputUnits {

@@ -1,0 +1,92 @@
+#include "sdpd/simulation.hpp"
+#include "workflows/command/list.hpp"
+#include <algorithm>
+#include <chrono>
+
+namespace mesobridge::workflows {
+namespace {
+
+struct Options {
+  std::string scheme = "ssa", eos = "ideal-gas";
+  std::uint32_t side = 22;
+  double K = 100;
+  int steps = 20, repeats = 5;
+};
+
+sdpd::SimulationSettings settings_of(Options const& options, int threads) {
+  bool const ideal = options.eos == "ideal-gas";
+  return {.eos = ideal ? fitting::AnyEos(fitting::IdealGas(1e-25)) : fitting::material(options.eos).eos,
+          .rho = 1150,
+          .T = 1000,
+          .K = options.K,
+          .lattice = {options.side, options.side, options.side},
+          .disorder = 0.15,
+          .eta = 2e-3,
+          .dt = ideal ? 0.1 : 0.05,
+          .threads = threads};
+}
+
+Result run(Options const& options, Context& context) {
+  int const threads = context.options.threads.value_or(1);
+  sdpd::Simulation simulation(settings_of(options, threads));
+  // A disordered start settles first: lists, densities and caches are then those of a fluid.
+  sdpd::equilibrate(simulation, 64, [] { return true; });
+  std::vector<double> cost;
+  double const work = static_cast<double>(simulation.size()) * options.steps;
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {
+    auto const begin = std::chrono::steady_clock::now();
+    simulation.advance(static_cast<std::uint64_t>(options.steps));
+    std::chrono::duration<double, std::micro> const spent = std::chrono::steady_clock::now() - begin;
+    cost.push_back(spent.count() / work);
+  }
+  std::sort(cost.begin(), cost.end());
+  Result result;
+  result.json = {{"us_per_particle_step", cost[cost.size() / 2]},
+                 {"us_per_particle_step_min", cost.front()},
+                 {"us_per_particle_step_max", cost.back()},
+                 {"neighbours", simulation.neighbours()},
+                 {"threads", threads},
+                 {"scheme", options.scheme},
+                 {"eos", options.eos},
+                 {"n", simulation.size()},
+                 {"K", options.K},
+                 {"repeats", options.repeats}};
+  result.text =
+      fmt::format("{:.3f} us per particle and step (median of {}, {:.3f} ... {:.3f}); {} particles, {:.1f} "
+                  "neighbours, {} thread(s), {}, {}",
+                  cost[cost.size() / 2], options.repeats, cost.front(), cost.back(), simulation.size(),
+                  simulation.neighbours(), threads, options.scheme, options.eos);
+  return result;
+}
+
+} // namespace
+
+Command bench_engine_command() {
+  return {.name = "bench engine",
+          .summary = "Time the SDPD engine: microseconds per particle and step",
+          .example = "mesobridge bench engine --eos ideal-gas --threads 2 --json",
+          .declare = [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("--scheme", options->scheme, "time-stepping scheme")
+                ->check(CLI::IsMember({"ssa"}))
+                ->capture_default_str();
+            app.add_option("--eos", options->eos, "equation of state")
+                ->check(CLI::IsMember({"ideal-gas", "argon"}))
+                ->capture_default_str();
+            app.add_option("--side", options->side, "particles along an edge of the cubic box")
+                ->check(CLI::Range(6, 400))
+                ->capture_default_str();
+            app.add_option("--K", options->K, "size of a particle")
+                ->check(CLI::Range(2.0, 1e9))
+                ->capture_default_str();
+            app.add_option("--steps", options->steps, "steps of one measurement")
+                ->check(CLI::Range(1, 1000000))
+                ->capture_default_str();
+            app.add_option("--repeats", options->repeats, "measurements, of which the median is given")
+                ->check(CLI::Range(1, 1000))
+                ->capture_default_str();
+            return [options](Context& context) { return run(*options, context); };
+          }};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,59 @@
+#include "workflows/sdpd/equilibrium_plots.hpp"
+#include "cg/histogram.hpp"
+#include <algorithm>
+#include <gsl/gsl_randist.h>
+
+namespace mesobridge::workflows {
+
+Plot distribution_plot(std::string const& name, std::string const& title, std::string const& axis,
+                       std::vector<LabelledSamples> const& samples) {
+  Plot plot{
+      .name = name, .title = title, .x = {.label = axis}, .panels = {Panel{}}, .width = 560, .height = 400};
+  plot.panels[0].y.label = "probability density";
+  plot.panels[0].legend = Legend::top_right;
+  for (auto const& [label, values, unit] : samples) {
+    std::vector<double> scaled(values.begin(), values.end());
+    for (auto& value : scaled)
+      value /= unit;
+    auto const [low, high] = std::minmax_element(scaled.begin(), scaled.end());
+    double const margin = 1e-9 * (std::abs(*low) + std::abs(*high)) + 1e-300;
+    auto const histogram = cg::histogram(scaled, *low - margin, *high + margin, 60);
+    Series series{
+        .label = label, .x = {}, .y = histogram.density, .y_error = {}, .style = SeriesStyle::steps};
+    for (std::size_t bin = 0; bin < histogram.density.size(); ++bin)
+      series.x.push_back(histogram.centre(bin));
+    plot.panels[0].series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+Plot energy_error_plot(std::string const& name,
+                       std::vector<std::pair<std::string, RunResult const*>> const& runs) {
+  Plot plot{.name = name, .title = "Energy error", .x = {.label = "time [reduced]"}, .panels = {Panel{}}};
+  plot.panels[0].y.label = "10^6 (E - E_0)/E_0";
+  plot.panels[0].level_lines = {0};
+  for (auto const& [label, run] : runs) {
+    Series series{.label = label, .x = run->times, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+    for (double const energy : run->energies)
+      series.y.push_back(1e6 * (energy / run->energies.front() - 1));
+    plot.panels[0].series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+Series gamma_law(double K, double x_min, double x_max, int colour) {
+  Series series{.label = fmt::format("Gamma law, K = {:g}", K),
+                .x = {},
+                .y = {},
+                .y_error = {},
+                .style = SeriesStyle::lines,
+                .colour = colour};
+  for (int k = 0; k <= 200; ++k) {
+    double const x = x_min + (x_max - x_min) * k / 200;
+    series.x.push_back(x);
+    series.y.push_back(gsl_ran_gamma_pdf(x, 1.5 * (K - 1), 1));
+  }
+  return series;
+}
+
+} // namespace mesobridge::workflows

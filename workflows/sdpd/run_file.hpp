@@ -1,0 +1,44 @@
+#pragma once
+#include "sdpd/observe/equilibrium.hpp"
+#include "workflows/provenance.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/store/store.hpp"
+
+namespace mesobridge::workflows {
+
+/// The HDF5 file of one SDPD run: `thermodynamics` (one row a sample), `moments` (one row an instant) and,
+/// under `particles`, internal energies, densities and pressures of the first particles at those instants.
+/// The attribute `columns` names the columns with their units. Rows are flushed as they come, so that a
+/// stopped run keeps them.
+///
+/// A resumed run repeats the steps after its checkpoint bit for bit: rows that the file holds already are
+/// skipped.
+class RunFile {
+ public:
+  RunFile(std::filesystem::path const& file, OutputUnits const& units, Provenance const& provenance);
+  static RunFile continue_file(std::filesystem::path const& file, OutputUnits const& units);
+
+  void append(sdpd::Observation const& now, double time);
+  void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::uint64_t step);
+
+  /// All samples of the file, in reduced units.
+  sdpd::EquilibriumSampler replay() const;
+
+  /// All stored values of "eps", "rho" or "P" of single particles, in the scene's units.
+  std::vector<double> particle_values(std::string const& name) const;
+
+  void close() { store_.close(); }
+
+  /// At most this many particles are stored at an instant: enough for a distribution.
+  static constexpr std::size_t stored_particles = 5000;
+
+ private:
+  RunFile(Store store, OutputUnits const& units) : store_(std::move(store)), units_(units) {}
+  void describe();
+
+  Store store_;
+  OutputUnits units_;
+  std::int64_t last_row_ = -1, last_instant_ = -1; ///< steps of the last rows
+};
+
+} // namespace mesobridge::workflows

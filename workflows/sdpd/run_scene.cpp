@@ -1,0 +1,209 @@
+#include "workflows/sdpd/run_scene.hpp"
+#include "workflows/h5md.hpp"
+#include "workflows/sdpd/checkpoint_file.hpp"
+#include "workflows/sdpd/run_file.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/text_file.hpp"
+#include <chrono>
+#include <optional>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// Instants at which the particles are looked at one by one, over a whole run.
+constexpr std::int64_t instants = 40;
+
+/// One scene on its way from the first step to the files.
+class Run {
+ public:
+  Run(Scene const& scene, RunOptions const& options)
+      : scene_(scene), options_(options), settings_(settings_of(scene, options.threads)),
+        simulation_(settings_),
+        units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
+                                                              resolved_toml(scene), inputs(scene)},
+        every_instant_(std::max<std::int64_t>(1, scene.run.steps / instants)) {}
+
+  RunResult carry_out() {
+    if (options_.resume)
+      resume();
+    else
+      start();
+    auto const begin = std::chrono::steady_clock::now();
+    std::int64_t const first = done_;
+    while (done_ < scene_.run.steps) {
+      advance(steps_to_next_event());
+      record();
+      if (!options_.keep_going(static_cast<std::uint64_t>(scene_.run.equilibrate + done_)))
+        stop();
+    }
+    std::chrono::duration<double, std::micro> const spent = std::chrono::steady_clock::now() - begin;
+    double const work =
+        static_cast<double>(scene_.run.steps - first) * static_cast<double>(simulation_.size());
+    return finish(work > 0 ? spent.count() / work : 0);
+  }
+
+ private:
+  static std::vector<std::filesystem::path> inputs(Scene const& scene) {
+    std::filesystem::path const model = scene.fluid.eos;
+    return std::filesystem::is_regular_file(model) ? std::vector{model}
+                                                   : std::vector<std::filesystem::path>{};
+  }
+
+  std::filesystem::path file(char const* name) const { return options_.directory / name; }
+  bool draws_trajectory() const { return scene_.run.trajectory_every > 0; }
+  H5mdWriter::Units trajectory_units() const {
+    return scene_.units == UnitSystem::SI ? H5mdWriter::Units::si() : H5mdWriter::Units::reduced();
+  }
+
+  void start() {
+    write_text_file(file("scene.toml"), provenance_.scene);
+    sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
+      return options_.keep_going(static_cast<std::uint64_t>(simulation_.observe().step));
+    });
+    run_file_.emplace(file("run.h5"), units_, provenance_);
+    if (draws_trajectory())
+      trajectory_.emplace(file("trajectory.h5"), trajectory_units(), provenance_);
+    record();
+  }
+
+  void resume() {
+    auto const stored = read_checkpoint(file("checkpoint.h5"));
+    if (stored.scene != provenance_.scene)
+      throw InputError(fmt::format("'{}' was written by another scene than this one: compare '{}' and take "
+                                   "the same scene, or another directory",
+                                   file("checkpoint.h5").string(), file("scene.toml").string()));
+    simulation_.restore(stored.checkpoint);
+    done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
+    run_file_.emplace(RunFile::continue_file(file("run.h5"), units_));
+    if (draws_trajectory()) {
+      trajectory_.emplace(H5mdWriter::continue_file(file("trajectory.h5"), trajectory_units()));
+      last_frame_ = trajectory_->last_step();
+    }
+  }
+
+  std::int64_t steps_to_next_event() const {
+    std::int64_t steps = scene_.run.steps - done_;
+    for (std::int64_t const every :
+         {scene_.run.sample_every, every_instant_, scene_.run.trajectory_every, scene_.run.checkpoint_every})
+      if (every > 0)
+        steps = std::min(steps, every - done_ % every);
+    return steps;
+  }
+
+  void advance(std::int64_t steps) {
+    simulation_.advance(static_cast<std::uint64_t>(steps));
+    done_ += steps;
+  }
+
+  /// Samples, instants, frames and checkpoints that are due at this step.
+  void record() {
+    auto due = [this](std::int64_t every) { return every > 0 && done_ % every == 0; };
+    double const time = static_cast<double>(done_) * settings_.dt;
+    if (due(scene_.run.sample_every))
+      run_file_->append(simulation_.observe(), time);
+    if (due(every_instant_)) {
+      auto const now = simulation_.snapshot();
+      run_file_->append(now, sdpd::moments(now), simulation_.observe().step);
+    }
+    if (due(scene_.run.trajectory_every))
+      write_frame(time);
+    if (done_ > 0 && due(scene_.run.checkpoint_every))
+      checkpoint();
+  }
+
+  void write_frame(double time) {
+    auto const step = static_cast<std::int64_t>(simulation_.observe().step);
+    if (step <= last_frame_)
+      return;
+    auto now = simulation_.snapshot();
+    double const length = simulation_.units().length(), velocity = simulation_.units().velocity();
+    for (std::size_t i = 0; i < now.q.size(); ++i)
+      now.q[i] *= length, now.p[i] *= velocity;
+    trajectory_->append({.step = step,
+                         .time = time * units_.time,
+                         .box = Box{simulation_.box().edge * length},
+                         .positions = now.q,
+                         .velocities = now.p});
+    last_frame_ = step;
+  }
+
+  void checkpoint() { write_checkpoint(file("checkpoint.h5"), simulation_.checkpoint(), provenance_); }
+
+  [[noreturn]] void stop() {
+    checkpoint();
+    throw Interrupted(
+        fmt::format("stopped after {} of {} steps; all samples so far and a checkpoint are in '{}': go on "
+                    "with --resume",
+                    done_, scene_.run.steps, options_.directory.string()));
+  }
+
+  RunResult finish(double us_per_particle_step) {
+    // The results are those of the file, so that a resumed run ends with the same bits as an unbroken one.
+    auto const sampler = run_file_->replay();
+    RunResult result{.scene = scene_,
+                     .settings = settings_,
+                     .equilibrium = sampler.result(),
+                     .neighbours = simulation_.neighbours(),
+                     .us_per_particle_step = us_per_particle_step,
+                     .times = {sampler.times().begin(), sampler.times().end()},
+                     .energies = {sampler.energies().begin(), sampler.energies().end()},
+                     .eps = run_file_->particle_values("eps"),
+                     .rho = run_file_->particle_values("rho"),
+                     .P = run_file_->particle_values("P"),
+                     .summary = {}};
+    result.summary = summary(result);
+    write_summary(file("summary.json"), result.summary);
+    run_file_->close();
+    if (trajectory_)
+      trajectory_->close();
+    return result;
+  }
+
+  Json summary(RunResult const& result) const {
+    auto const& e = result.equilibrium;
+    auto in = [](cg::Estimate const& estimate, double unit) {
+      return cg::Estimate{estimate.mean * unit, estimate.se * unit, estimate.n_eff};
+    };
+    Json json;
+    json["title"] = scene_.title;
+    json["n"] = simulation_.size();
+    json["K"] = settings_.K;
+    json["dt_reduced"] = settings_.dt;
+    json["dt" + units_.time_key] = settings_.dt * units_.time;
+    json["steps"] = scene_.run.steps;
+    json["neighbours"] = result.neighbours;
+    put(json, "T_kin" + units_.temperature_key, in(e.T_kin, units_.temperature));
+    put(json, "T_int" + units_.temperature_key, in(e.T_int, units_.temperature));
+    put(json, "P" + units_.pressure_key, in(e.P, units_.pressure));
+    put(json, "rho" + units_.density_key, in(e.rho.mean, units_.density));
+    put(json, "rho_variance", in(e.rho.variance, units_.density * units_.density));
+    put(json, "e" + units_.specific_energy_key, in(e.eps.mean, units_.specific_energy));
+    put(json, "P_internal" + units_.pressure_key, in(e.P_i.mean, units_.pressure));
+    put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
+    put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
+        cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
+    auto const p = simulation_.observe().momentum;
+    json["momentum" + units_.momentum_key] = norm(p) * units_.momentum;
+    return json;
+  }
+
+  Scene scene_;
+  RunOptions const& options_;
+  sdpd::SimulationSettings settings_;
+  sdpd::Simulation simulation_;
+  OutputUnits units_;
+  Provenance provenance_;
+  std::int64_t every_instant_;
+  std::optional<RunFile> run_file_;
+  std::optional<H5mdWriter> trajectory_;
+  std::int64_t done_ = 0; ///< of the sampled steps
+  std::int64_t last_frame_ = -1;
+};
+
+} // namespace
+
+RunResult run_scene(Scene const& scene, RunOptions const& options) {
+  return Run(scene, options).carry_out();
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,34 @@
+#pragma once
+#include "sdpd/observe/equilibrium.hpp"
+#include "workflows/command.hpp"
+#include "workflows/sdpd/settings.hpp"
+
+namespace mesobridge::workflows {
+
+struct RunOptions {
+  std::filesystem::path directory; ///< exists
+  int threads = 1;
+  bool resume = false; ///< go on from the directory's checkpoint
+  std::string command; ///< the command line, for the files' provenance
+  /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).
+  std::function<bool(std::uint64_t)> keep_going = [](std::uint64_t) { return true; };
+};
+
+/// A finished run.
+struct RunResult {
+  Scene scene;
+  sdpd::SimulationSettings settings;
+  sdpd::Equilibrium equilibrium; ///< reduced
+  double neighbours = 0;
+  double us_per_particle_step = 0;     ///< of the sampled part, with its observations and files
+  std::vector<double> times, energies; ///< reduced
+  std::vector<double> eps, rho, P;     ///< of single particles at the sampled instants, in the scene's units
+  Json summary;                        ///< what stands in summary.json
+};
+
+/// Runs a scene: equilibrates, samples, writes scene.toml, run.h5, trajectory.h5 (if asked for), checkpoints
+/// and summary.json into the directory. Throws PhysicsError when the run cannot go on; Interrupted when it
+/// was stopped, with a message that says where and how to go on.
+RunResult run_scene(Scene const& scene, RunOptions const& options);
+
+} // namespace mesobridge::workflows
