@@ -22,8 +22,23 @@ struct Columns {
   }
 };
 
+/// The start that leaves the most independent samples. The marginal standard error rule is the second
+/// opinion: it is followed where its further cut moves the mean by more than two standard errors, not where
+/// it only loses samples.
 std::size_t stationary_from(std::span<double const> series) {
-  return std::max(detect_equilibration(series).start, marginal_standard_error_start(series));
+  std::size_t const start = detect_equilibration(series).start;
+  auto const kept = series.subspan(start);
+  if (kept.size() < 80)
+    return start;
+  std::size_t const further = marginal_standard_error_start(kept);
+  bool const moves_the_mean = !agrees(estimate_mean(kept), estimate_mean(kept.subspan(further)).mean, 2);
+  return moves_the_mean ? start + further : start;
+}
+
+[[noreturn]] void throw_too_short(double rho, double T, double independent) {
+  throw PhysicsError(fmt::format("the state rho* = {}, T* = {} has only {:.1f} independent samples after its "
+                                 "equilibration was cut; at least 10 are needed: sample it longer",
+                                 rho, T, independent));
 }
 
 } // namespace
@@ -34,6 +49,8 @@ StatePoint analyse_state(double rho, double T, int atoms, std::span<md::ThermoSa
   require(atoms > 0, "atoms", atoms, "must be > 0");
   Columns const columns(rho, T, samples);
   std::size_t const start = std::max(stationary_from(columns.U), stationary_from(columns.P));
+  if (columns.U.size() - start < 16)
+    throw_too_short(rho, T, double(columns.U.size() - start));
   auto const T_kin = std::span(columns.T_kin).subspan(start);
   auto const U = std::span(columns.U).subspan(start), P = std::span(columns.P).subspan(start);
 
@@ -48,10 +65,7 @@ StatePoint analyse_state(double rho, double T, int atoms, std::span<md::ThermoSa
   point.discarded = start;
   double const independent = std::min(point.U.n_eff, point.P.n_eff);
   if (!(independent >= 10))
-    throw PhysicsError(fmt::format(
-        "the state rho* = {}, T* = {} has only {:.1f} independent samples after its equilibration "
-        "was cut; at least 10 are needed: sample it longer",
-        rho, T, independent));
+    throw_too_short(rho, T, independent);
   point.cov_UP = covariance_of_means(U, P);
   // <dE^2> = k_B T^2 C_V of the whole box. The positions give this part; the momenta add 3/2 exactly.
   auto const variance = estimate_variance(U);

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,12 +34,12 @@ std::string find_program(std::string const& name) {
 
 std::vector<std::string> mpirun_command(std::string const& mpirun, int ranks,
                                         std::vector<std::string> const& argv) {
-  std::vector<std::string> command{
-      mpirun, "--quiet", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none",
-      // one machine, no network: neither remote shells nor interfaces are looked for
-      "--mca", "plm", "isolated", "--mca", "btl", "self,vader",
-      // a rank that ends with an error code has already said why: no second opinion
-      "--mca", "orte_abort_on_non_zero_status", "0"};
+  std::vector<std::string> command{mpirun, "--quiet", "-n", std::to_string(ranks), "--oversubscribe"};
+  // One machine, no network: neither remote shells nor interfaces are looked for. After an abort mpirun waits
+  // twice for the time to SIGKILL, whether or not a rank is left, so it is short.
+  for (char const* option : {"--bind-to", "none", "--mca", "plm", "isolated", "--mca", "btl", "self,vader",
+                             "--mca", "odls_base_sigkill_timeout", "1"})
+    command.emplace_back(option);
   command.insert(command.end(), argv.begin(), argv.end());
   return command;
 }
@@ -52,10 +53,21 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return result;
 }
 
+/// Whether a variable describes the MPI world of this very process, in which mpirun would take itself for a
+/// rank.
+bool belongs_to_this_world(std::string_view variable) {
+  for (std::string_view start : {"PMIX_", "ORTE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
+                                 "OMPI_COMM_", "OMPI_APP_", "OMPI_NUM_", "OMPI_UNIVERSE_", "OMPI_FIRST_"})
+    if (variable.starts_with(start))
+      return true;
+  return false;
+}
+
 std::vector<std::string> environment_for_ranks() {
   std::vector<std::string> result;
   for (char** variable = environ; *variable; ++variable)
-    result.emplace_back(*variable);
+    if (!belongs_to_this_world(*variable))
+      result.emplace_back(*variable);
   if (geteuid() == 0) { // Open MPI asks root twice
     result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
     result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
@@ -137,10 +149,12 @@ std::pair<int, bool> wait_for(pid_t mpirun, HeldSignals const& signals) {
 } // namespace
 
 bool already_on_ranks() {
-  for (char const* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "MPI_LOCALNRANKS"})
+  for (char const* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"})
     if (std::getenv(variable))
       return true;
-  return false;
+  // A program without mpirun gets a PMIX_RANK too once MPI has started in it.
+  char const* const start = std::getenv("OMPI_MCA_ess");
+  return std::getenv("PMIX_RANK") && !(start && std::string_view(start) == "singleton");
 }
 
 bool reaches_terminal(int descriptor) {
