@@ -209,4 +209,16 @@ LjBwrFit::Prediction LjBwrFit::predict(double rho, double T) const {
           .P_se = (rows.P * covariance_factor).norm()};
 }
 
+LjBwrFit::PublishedDifference LjBwrFit::difference_from_published() const {
+  LjBwr const published(lj_bwr_1993);
+  PublishedDifference largest{0, 0};
+  for_each_state(sampled, 31, 31, [&](double rho, double T) {
+    auto const fitted = eos.isochore(rho), reference = published.isochore(rho);
+    double const P = reference.pressure(T), U = reference.energy(T);
+    largest.P = std::max(largest.P, std::abs(fitted.pressure(T) - P) / std::max(std::abs(P), rho * T));
+    largest.U = std::max(largest.U, std::abs(fitted.energy(T) - U) / std::max(std::abs(U), T));
+  });
+  return largest;
+}
+
 } // namespace mesobridge::fitting

@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/lj_bwr.hpp"
+#include <cmath>
 
 namespace mesobridge::fitting {
 
@@ -17,9 +18,12 @@ struct LjRegion {
 template <class Visit>
 void for_each_state(LjRegion const& region, int densities, int temperatures, Visit&& visit) {
   for (int i = 0; i < densities; ++i)
-    for (int j = 0; j < temperatures; ++j)
-      visit(region.rho_min + (region.rho_max - region.rho_min) * i / (densities - 1),
-            region.T_min * std::pow(region.T_max / region.T_min, double(j) / (temperatures - 1)));
+    for (int j = 0; j < temperatures; ++j) {
+      double const rho = std::lerp(region.rho_min, region.rho_max, double(i) / (densities - 1));
+      double const log_T =
+          std::lerp(std::log(region.T_min), std::log(region.T_max), double(j) / (temperatures - 1));
+      visit(rho, j + 1 == temperatures ? region.T_max : std::exp(log_T));
+    }
 }
 
 /// How far a set is from thermal and mechanical instability, in Lennard-Jones units per atom.

@@ -89,6 +89,8 @@ TEST(FitLjBwr, FindsNothingToCorrectInThePublishedFluid) {
   auto const fit = fit_lj_bwr(measured_grid(published, {}, generator));
   EXPECT_LT(fit.evidence_width, 1.5e-3);
   EXPECT_LT(fit.effective_parameters, 6);
+  EXPECT_LT(fit.difference_from_published().P, 1e-3);
+  EXPECT_LT(fit.difference_from_published().U, 1e-3);
   int cases = 0;
   for (auto const& point : fit.points) {
     EXPECT_NEAR(point.P_fit / point.P_published, 1, 1e-3);
@@ -96,6 +98,28 @@ TEST(FitLjBwr, FindsNothingToCorrectInThePublishedFluid) {
     ++cases;
   }
   EXPECT_EQ(cases, 30);
+}
+
+TEST(FitLjBwr, TellsHowFarItIsFromThePublishedFluid) {
+  std::mt19937_64 generator(32);
+  auto const fit = fit_lj_bwr(measured_grid(different_fluid(0.005, generator), {}, generator));
+  auto const largest = fit.difference_from_published();
+  EXPECT_LT(largest.P, 0.01);
+  EXPECT_LT(largest.U, 0.01);
+  double nodes = 0;
+  int corners = 0;
+  for (auto const& point : fit.points) {
+    bool const corner = (point.rho == fit.sampled.rho_min || point.rho == fit.sampled.rho_max) &&
+                        (point.T == fit.sampled.T_min || point.T == fit.sampled.T_max);
+    double const difference = std::abs(point.P_fit / point.P_published - 1);
+    nodes = std::max(nodes, difference);
+    if (corner) {
+      EXPECT_LE(difference, largest.P * (1 + 1e-6));
+      ++corners;
+    }
+  }
+  EXPECT_EQ(corners, 4);
+  EXPECT_NEAR(nodes, largest.P, 0.3 * largest.P);
 }
 
 TEST(FitLjBwr, StaysPhysicalFarOutsideTheData) {

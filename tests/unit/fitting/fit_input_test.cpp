@@ -26,6 +26,26 @@ TEST(FitInput, RowsTimesParametersAreTheEquation) {
   EXPECT_EQ(cases, 9);
 }
 
+TEST(FitInput, NoiseIsTheCovarianceOfTheStateAndTheFloor) {
+  cg::StatePoint point;
+  point.rho = 0.8, point.T = 5;
+  point.U = {.mean = -3, .se = 0.02, .n_eff = 100};
+  point.P = {.mean = 20, .se = 0.05, .n_eff = 100};
+  point.cov_UP = 0.0007;
+  int cases = 0;
+  for (double floor : {0.0, 0.01}) {
+    auto const data = prepare_lj_bwr_data({{point}}, 1, floor);
+    Eigen::Matrix2d const covariance = data[0].noise * data[0].noise.transpose();
+    EXPECT_NEAR(covariance(0, 0), 0.02 * 0.02 + floor * floor * 25, 1e-15); // of max(|U|, T) = 5
+    EXPECT_NEAR(covariance(1, 1), 0.05 * 0.05 + floor * floor * 400, 1e-15);
+    EXPECT_NEAR(covariance(0, 1), 0.0007, 1e-15);
+    EXPECT_DOUBLE_EQ(data[0].residual(0), -3 - 7.5);
+    EXPECT_DOUBLE_EQ(data[0].residual(1), 20 - 4);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 2);
+}
+
 TEST(FitInput, BadStatesAreRefusedByName) {
   struct Case {
     std::function<void(cg::StatePoint&)> spoil;

@@ -57,6 +57,26 @@ TEST(ModelFile, EveryMaterialReturns) {
   EXPECT_EQ(cases, 3u);
 }
 
+TEST(ModelFile, AnyNumberReturnsBitForBit) {
+  // Random bit patterns: every magnitude from the denormal to the largest.
+  std::mt19937_64 generator(33);
+  auto positive = [&] {
+    for (;;)
+      if (double const x = std::abs(std::bit_cast<double>(generator())); std::isfinite(x) && x > 0)
+        return x;
+  };
+  int cases = 0;
+  for (; cases < 5000; ++cases) {
+    IdealGas const gas(positive(), positive(), positive());
+    auto const back = std::get<IdealGas>(parse_model(to_toml({gas, {}, {}, {}, {}}), "gas.toml").eos);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(gas.molecular_mass()),
+              std::bit_cast<std::uint64_t>(back.molecular_mass()));
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(gas.dof()), std::bit_cast<std::uint64_t>(back.dof()));
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(gas.boltzmann()), std::bit_cast<std::uint64_t>(back.boltzmann()));
+  }
+  EXPECT_EQ(cases, 5000);
+}
+
 std::string replaced(std::string text, std::string const& what, std::string const& with) {
   auto const at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
