@@ -69,7 +69,7 @@ TEST(Long_LjState, TheTimeStepDoesNotShiftTheAverages) {
   int cases = 0;
   for (auto const state : {md::LjState{0.9, 3.0}, md::LjState{1.05, 14.0}, md::LjState{0.6, 8.0}}) {
     auto fine = md::lj_fluid_settings(md::Preset::quick);
-    fine.sampling_steps = 200000, fine.reduced_time_step = 0.004, fine.sample_every = 20;
+    fine.sampling_steps = 250000, fine.reduced_time_step = 0.004, fine.sample_every = 20;
     auto usual = fine;
     usual.sampling_steps = 100000, usual.sample_every = 10;
     usual.reduced_time_step = md::LjFluidSettings{}.reduced_time_step;
