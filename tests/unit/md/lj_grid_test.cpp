@@ -97,6 +97,15 @@ TEST(LjGrid, OneAndTwoRanksGiveTheSameBits) {
   std::filesystem::remove_all(settings.log_file.parent_path());
 }
 
+/// How many times LAMMPS was told to run, from its log.
+int runs_in(std::filesystem::path const& log) {
+  std::ifstream lines(log);
+  int runs = 0;
+  for (std::string line; std::getline(lines, line);)
+    runs += line.starts_with("Loop time");
+  return runs;
+}
+
 TEST(LjGrid, AConsumerStopsAllRunsAtOnce) {
   MpiWorld const world;
   auto const settings = small_settings("stop");
@@ -104,6 +113,7 @@ TEST(LjGrid, AConsumerStopsAllRunsAtOnce) {
   EXPECT_FALSE(sample_lj_grid(world, four_states, settings,
                               {.samples = [&](std::size_t, auto) { return ++batches < 2; }, .progress = {}}));
   EXPECT_EQ(batches, 2);
+  EXPECT_LT(runs_in(settings.log_file), 50) << "one state takes about 42 runs, all four 168";
   int calls = 0;
   EXPECT_FALSE(
       sample_lj_grid(world, four_states, settings, {.samples = {}, .progress = [&](double done) {
@@ -112,6 +122,7 @@ TEST(LjGrid, AConsumerStopsAllRunsAtOnce) {
                                                       return false;
                                                     }}));
   EXPECT_EQ(calls, 1);
+  EXPECT_LT(runs_in(settings.log_file), 10);
   std::filesystem::remove_all(settings.log_file.parent_path());
 }
 
