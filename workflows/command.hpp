@@ -44,6 +44,7 @@ struct Result {
   Json json = Json::object();
   std::string text;
   std::string complaint; ///< not empty: printed on stderr after the result; the exit code is then 4
+  bool silent = false;   ///< nothing is printed: another rank does it
 };
 
 /// One command of the program.

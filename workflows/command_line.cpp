@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
 #include <algorithm>
@@ -126,6 +127,8 @@ bool parse(CLI::App& app, Words words, std::string const& command) {
 }
 
 void print(Result const& result, bool json) {
+  if (result.silent)
+    return;
   print_text(json ? checked_dump(result.json) : result.text);
   if (!result.complaint.empty())
     throw EnvironmentError(result.complaint);
@@ -153,6 +156,7 @@ void run(Words const& arguments, std::vector<Command> const& commands) {
   CLI::App app(command->summary, "mesobridge " + command->name);
   app.footer("Example:\n  " + command->example);
   CommonOptions options;
+  app.option_defaults()->always_capture_default(); // the help shows them
   auto const action = command->declare(app);
   add_common_options(app, options);
   if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, command->name))
@@ -190,6 +194,8 @@ int run_command_line(std::vector<std::string> const& arguments, std::vector<Comm
   try {
     run(arguments, commands);
     return done;
+  } catch (AlreadyReported const& failure) {
+    return failure.exit_code;
   } catch (...) {
     auto const failure = describe(std::current_exception());
     std::cerr << "mesobridge: " << failure.message << std::endl;

@@ -1,8 +1,8 @@
 #include "workflows/progress.hpp"
 #include "md/error.hpp"
+#include "md/rank_launcher.hpp"
 #include <algorithm>
 #include <ostream>
-#include <unistd.h>
 #include <utility>
 
 namespace mesobridge::workflows {
@@ -77,7 +77,7 @@ void Progress::finish() {
 }
 
 Progress::Style Progress::style_of_stderr() {
-  return isatty(STDERR_FILENO) ? Style::bar : Style::lines;
+  return md::reaches_terminal(2) ? Style::bar : Style::lines;
 }
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,5 @@
 #include "md/error.hpp"
+#include "md/lammps_session.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
@@ -43,9 +44,16 @@ Finding examine_disk() {
           fmt::format("a run wants at least {} GB; choose another disk with -o", needed_GB)};
 }
 
+Finding examine_lammps() {
+  auto const installation = md::lammps_installation(md::MpiWorld());
+  return {"LAMMPS", true,
+          fmt::format("{} with {}", installation.version, fmt::join(installation.packages, ", ")), ""};
+}
+
 std::vector<Finding> examine() {
   return {
       {"mesobridge", true, fmt::format("{} ({})", version(), git_commit()), ""},
+      examine_lammps(),
       examine_program("mpirun", "--version", "openmpi-bin", "molecular dynamics on several cores"),
       examine_program("gnuplot", "--version", "gnuplot-nox", "the plots of the report"),
       {"HDF5", true, store_library_version(), ""},

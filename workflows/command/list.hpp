@@ -8,8 +8,14 @@ namespace mesobridge::workflows {
 /// this folder, one declaration here and one line in list.cpp.
 std::vector<Command> commands();
 
+Command md_lj_grid_command();
+Command cg_state_grid_command();
+Command fit_lj_bwr_command();
+Command eos_eval_command();
+Command eos_list_command();
 Command check_command();
 Command run_command();
+Command workflow_lj_to_sdpd_command();
 Command bench_engine_command();
 Command doctor_command();
 

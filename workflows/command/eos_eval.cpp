@@ -1,0 +1,91 @@
+#include "fitting/eos/evaluate.hpp"
+#include "fitting/model_file.hpp"
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/text_file.hpp"
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::string model;
+  double rho = 0;
+  std::optional<double> T, e, s;
+};
+
+/// One printed quantity: its key, the key's end in SI, the unit for people.
+struct Line {
+  std::string key, si_suffix, unit;
+  std::optional<double> value;
+};
+
+fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
+  int const given = int{options.T.has_value()} + int{options.e.has_value()} + int{options.s.has_value()};
+  require(given == 1, "options --T, --e, --s", given, "exactly one of them must be given");
+  require(options.rho > 0 && std::isfinite(options.rho), "--rho", options.rho, "must be > 0");
+  if (options.T)
+    require(*options.T > 0 && std::isfinite(*options.T), "--T", *options.T, "must be > 0");
+  return std::visit(
+      [&](auto const& eos) {
+        if (options.T)
+          return state_from_temperature(eos, options.rho, *options.T);
+        return options.e ? state_from_energy(eos, options.rho, *options.e)
+                         : state_from_entropy(eos, options.rho, *options.s);
+      },
+      any);
+}
+
+Result eval(Options const& options, Context const& context) {
+  auto const model =
+      fitting::load_eos(options.model, [](std::string const& file) { return read_text_file(file); });
+  auto const state = state_of(model.eos, options);
+  bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
+  if (model.valid && (state.rho < model.valid->rho_min || state.rho > model.valid->rho_max ||
+                      state.T < model.valid->T_min || state.T > model.valid->T_max))
+    context.log->warn("the state lies outside the data of this model: it is extrapolated");
+  std::vector<Line> const lines{
+      {"rho", "_kg_m3", "kg/m^3", state.rho},
+      {"T", "_K", "K", state.T},
+      {"e", "_J_kg", "J/kg", state.e},
+      {"P", "_Pa", "Pa", state.P},
+      {"s", "_J_kg_K", "J/(kg K)", state.s},
+      {"c_v", "_J_kg_K", "J/(kg K)", state.c_v},
+      {"sound_speed", "_m_s", "m/s", state.sound_speed},
+      {"free_energy", "_J_kg", "J/kg", state.free_energy},
+      {"gruneisen", "", "", state.gruneisen},
+      {"alpha_r", "", "", state.alpha_r},
+  };
+  Result result;
+  result.json["model"] = options.model;
+  for (auto const& line : lines) {
+    if (!line.value) // no sound inside the liquid-gas region, no residual energy of models that have no such
+                     // part
+      continue;
+    result.json[line.key + (reduced ? "" : line.si_suffix)] = *line.value;
+    result.text += fmt::format("{:<12} {:<24} {}\n", line.key, fmt::format("{:.10g}", *line.value),
+                               reduced ? "" : line.unit);
+  }
+  return result;
+}
+
+} // namespace
+
+Command eos_eval_command() {
+  return {.name = "eos eval",
+          .summary = "Every thermodynamic quantity of a model at one state",
+          .example = "mesobridge eos eval --model argon --rho 1150 --T 1000",
+          .declare = [](CLI::App& app) -> Command::Action {
+            auto options = std::make_shared<Options>();
+            app.add_option("--model", options->model, "A name of `eos list`, or a fitted model's file")
+                ->required()
+                ->type_name("NAME|FILE");
+            app.add_option("--rho", options->rho, "Density, in the model's units (SI: kg/m^3)")->required();
+            app.add_option("--T", options->T, "Temperature (SI: K)");
+            app.add_option("--e", options->e, "Instead of --T: energy per mass (SI: J/kg)");
+            app.add_option("--s", options->s, "Instead of --T: entropy per mass (SI: J/(kg K))");
+            return [options](Context& context) { return eval(*options, context); };
+          }};
+}
+
+} // namespace mesobridge::workflows

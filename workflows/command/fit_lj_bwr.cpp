@@ -1,0 +1,67 @@
+#include "fitting/model_file.hpp"
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/lj/fit_summary.hpp"
+#include "workflows/lj/state_grid_file.hpp"
+#include "workflows/text_file.hpp"
+#include "workflows/version.hpp"
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::filesystem::path data;
+  std::string prior = "published", units = "lj";
+  std::optional<double> prior_width;
+  fitting::LjBwrFitOptions fit;
+};
+
+Result fit(Options const& options, Context const& context) {
+  auto settings = options.fit;
+  settings.prior = options.prior == "published" ? fitting::LjBwrPrior::published : fitting::LjBwrPrior::none;
+  settings.prior_width = options.prior_width;
+  auto const fitted = fitting::fit_lj_bwr(read_state_grid(options.data), settings);
+  auto const units = options.units == "argon" ? std::optional(argon_units) : std::nullopt;
+  auto const model = fitting::model_of(fitted, units, sha256_of_file(options.data),
+                                       {{"program", fmt::format("mesobridge {}", version())},
+                                        {"git_commit", std::string(git_commit())},
+                                        {"command", context.command_line()},
+                                        {"data", options.data.string()}});
+  auto const file = context.options.output.value_or("lj-bwr.toml");
+  if (!file.parent_path().empty())
+    std::filesystem::create_directories(file.parent_path());
+  write_text_file(file, fitting::to_toml(model));
+  Result result;
+  result.json = {{"model", file.string()}};
+  result.json.update(fit_json(fitted));
+  result.text = fit_text(fitted) + file.string();
+  return result;
+}
+
+} // namespace
+
+Command fit_lj_bwr_command() {
+  return {
+      .name = "fit lj-bwr",
+      .summary = "Fit the BWR equation of state of the Lennard-Jones fluid to a table of states",
+      .example = "mesobridge fit lj-bwr out/lj/state-grid.h5 -o out/lj/model.toml --units argon",
+      .declare = [](CLI::App& app) -> Command::Action {
+        auto options = std::make_shared<Options>();
+        app.add_option("data", options->data, "What `cg state-grid` wrote")->required()->type_name("DATA.h5");
+        app.add_option("--prior", options->prior, "Start from the 1993 set and correct it, or from nothing")
+            ->check(CLI::IsMember({"published", "none"}));
+        app.add_option("--prior-width", options->prior_width,
+                       "Relative uncertainty of the prior's U and P (default: of largest evidence)");
+        app.add_flag("--fit-gamma", options->fit.fit_gamma, "Search gamma as well");
+        app.add_option("--error-floor", options->fit.relative_error_floor,
+                       "Systematic relative error of the data, added in quadrature");
+        app.add_option("--folds", options->fit.folds,
+                       "Leave out every k-th state together (0: one at a time)");
+        app.add_option("--units", options->units, "Units of the model: lj, or SI of argon")
+            ->check(CLI::IsMember({"lj", "argon"}));
+        return [options](Context& context) { return fit(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows

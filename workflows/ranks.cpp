@@ -1,0 +1,42 @@
+#include "workflows/ranks.hpp"
+#include "md/error.hpp"
+#include "md/mpi_world.hpp"
+#include "md/rank_launcher.hpp"
+#include "workflows/command_line.hpp"
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+namespace mesobridge::workflows {
+
+int ranks_of(Context const& context) {
+  return context.options.ranks.value_or(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+}
+
+bool must_start_ranks(Context const& context) {
+  return ranks_of(context) > 1 && !md::already_on_ranks();
+}
+
+void run_on_ranks(int ranks, std::vector<std::string> const& words) {
+  std::vector<std::string> argv{std::filesystem::read_symlink("/proc/self/exe").string()};
+  argv.insert(argv.end(), words.begin(), words.end());
+  if (int const code = md::run_on_ranks(ranks, argv); code != 0)
+    throw AlreadyReported{code};
+}
+
+void guard_ranks(std::function<void()> const& work) {
+  md::MpiWorld const world;
+  try {
+    work();
+  } catch (Interrupted const&) {
+    throw; // the work has told the other ranks
+  } catch (...) {
+    if (world.size() == 1)
+      throw;
+    auto const failure = describe(std::current_exception());
+    std::cerr << "mesobridge: " << failure.message << std::endl;
+    world.abort(failure.code);
+  }
+}
+
+} // namespace mesobridge::workflows

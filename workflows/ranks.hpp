@@ -1,0 +1,25 @@
+#pragma once
+#include "workflows/command.hpp"
+
+namespace mesobridge::workflows {
+
+/// Thrown when another process of this program has failed and told why: only its exit code is passed on.
+struct AlreadyReported {
+  int exit_code;
+};
+
+/// Whether this process has to start a command's ranks: more than one is wanted and none runs yet.
+bool must_start_ranks(Context const& context);
+
+/// How many ranks a command runs on: --ranks, or all cores.
+int ranks_of(Context const& context);
+
+/// Runs this program again on that many ranks with the given words, which must be such that it prints no
+/// result. Throws AlreadyReported if it fails, EnvironmentError if it cannot be started.
+void run_on_ranks(int ranks, std::vector<std::string> const& words);
+
+/// Runs a part of the work that every rank does. When one rank alone fails, its message is printed and all
+/// ranks are ended, since the others would wait for it for ever.
+void guard_ranks(std::function<void()> const& work);
+
+} // namespace mesobridge::workflows
