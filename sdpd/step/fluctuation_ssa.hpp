@@ -36,7 +36,7 @@ inline void prepare(std::span<Pair const> pairs, NoiseSource const& source, std:
 /// One pair's exact Ornstein-Uhlenbeck step; the change of kinetic energy goes to the two internal energies
 /// in equal parts, so that momentum and energy are conserved to round-off (theory sheet, section 3, SSA;
 /// masses are 1).
-inline void fluctuate_pair(FluctuatingParticle& a, FluctuatingParticle& b, Vec3 const& r, double inverse_r2,
+[[gnu::always_inline]] inline void fluctuate_pair(FluctuatingParticle& a, FluctuatingParticle& b, Vec3 const& r, double inverse_r2,
                            double chi, Vec3 const& G, SdpdFriction const& friction, double boltzmann,
                            double dt) {
   PairBath const bath(boltzmann, a.caloric.temperature(a.eps), b.caloric.temperature(b.eps),

@@ -1,0 +1,44 @@
+#include "workflows/command/list.hpp"
+#include "workflows/lj_to_sdpd/chain.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/text_file.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+md::Preset preset_of(std::string const& name) {
+  return name == "quick" ? md::Preset::quick : name == "standard" ? md::Preset::standard : md::Preset::paper;
+}
+
+Result lj_to_sdpd(std::string const& preset, Context const& context) {
+  auto const directory = context.output_directory("out/lj-to-sdpd");
+  auto const results = run_chain(preset_of(preset), preset, directory, context);
+  Provenance const provenance{context.command_line(),
+                              context.options.seed.value_or(1),
+                              "",
+                              {directory / "md" / "lj-grid.h5", directory / "lj-bwr.toml"}};
+  Result result;
+  result.json = chain_summary(results);
+  write_summary(directory / "summary.json", result.json);
+  write_text_file(directory / "report.html", chain_report(results, provenance));
+  result.json["report"] = (directory / "report.html").string();
+  result.text = (directory / "report.html").string();
+  return result;
+}
+
+} // namespace
+
+Command workflow_lj_to_sdpd_command() {
+  return {.name = "workflow lj-to-sdpd",
+          .summary = "Lennard-Jones MD, equation of state and SDPD in one chain, with a report",
+          .example = "mesobridge workflow lj-to-sdpd --preset quick -o out/lj-to-sdpd",
+          .declare = [](CLI::App& app) -> Command::Action {
+            auto preset = std::make_shared<std::string>("quick");
+            app.add_option("--preset", *preset, "quick (minutes), standard (an hour or two) or paper")
+                ->capture_default_str()
+                ->check(CLI::IsMember({"quick", "standard", "paper"}));
+            return [preset](Context& context) { return lj_to_sdpd(*preset, context); };
+          }};
+}
+
+} // namespace mesobridge::workflows
