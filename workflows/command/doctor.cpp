@@ -58,7 +58,9 @@ std::vector<Finding> examine() {
       examine_program("gnuplot", "--version", "gnuplot-nox", "the plots of the report"),
       {"HDF5", true, store_library_version(), ""},
       {"OpenMP", true,
-       fmt::format("{} threads on {} cores", omp_get_max_threads(), std::thread::hardware_concurrency()), ""},
+       fmt::format("{} threads at once on {} cores", omp_get_num_procs(),
+                   std::thread::hardware_concurrency()),
+       ""},
       examine_disk(),
   };
 }
