@@ -4,6 +4,7 @@
 #include "fitting/lj_bwr_problem.hpp"
 #include "md/error.hpp"
 #include <algorithm>
+#include <limits>
 
 namespace mesobridge::fitting {
 namespace {
@@ -13,7 +14,7 @@ using Problem = LjBwrProblem;
 
 WidthBounds width_bounds(LjBwrFitOptions const& options) {
   if (!options.prior_width)
-    return options.prior == LjBwrPrior::published ? WidthBounds{2e-4, 0.05} : WidthBounds{1e-2, 1e6};
+    return options.prior == LjBwrPrior::published ? WidthBounds{2e-4, 0.5} : WidthBounds{1e-2, 1e6};
   double const width = *options.prior_width;
   require(width > 0 && std::isfinite(width), "prior width", width, "must be > 0");
   return {width, width};
@@ -25,11 +26,20 @@ LjRegion box_of(Data const& data) {
   return {rho_min.rho, rho_max.rho, T_min.T, T_max.T};
 }
 
+double continuation_temperature(cg::StateGrid const& grid, LjBwrFitOptions const& options) {
+  if (options.T_low)
+    return *options.T_low;
+  double coldest = std::numeric_limits<double>::infinity();
+  for (auto const& point : grid.points)
+    coldest = std::min(coldest, point.T);
+  return std::max(lj_bwr_T_low, std::isfinite(coldest) ? 0.75 * coldest : 0);
+}
+
 /// Where the fit will be used, hence where it must be physical.
-LjRegion region_to_check(LjRegion const& sampled, LjBwrFitOptions const& options) {
+LjRegion region_to_check(LjRegion const& sampled, LjBwrFitOptions const& options, double T_low) {
   if (options.prior == LjBwrPrior::none)
     return sampled;
-  return {0.01, lj_bwr_1993.rho_max, options.T_low, lj_bwr_1993.T_max};
+  return {0.01, lj_bwr_1993.rho_max, T_low, lj_bwr_1993.T_max};
 }
 
 void check_enough(Data const& data, LjBwrFitOptions const& options) {
@@ -164,9 +174,10 @@ void summarise_held_out(LjBwrFit& fit) {
 } // namespace
 
 LjBwrFit fit_lj_bwr(cg::StateGrid const& grid, LjBwrFitOptions const& options) {
-  Data const data = prepare_lj_bwr_data(grid, options.T_low, options.relative_error_floor);
+  double const T_low = continuation_temperature(grid, options);
+  Data const data = prepare_lj_bwr_data(grid, T_low, options.relative_error_floor);
   check_enough(data, options);
-  LjRegion const sampled = box_of(data), region = region_to_check(sampled, options);
+  LjRegion const sampled = box_of(data), region = region_to_check(sampled, options, T_low);
   auto const bounds = width_bounds(options);
   double const gamma =
       options.fit_gamma ? best_gamma(data, options.prior, region, bounds) : lj_bwr_1993.gamma;

@@ -11,7 +11,7 @@ namespace mesobridge::fitting {
 
 struct LjBwrFitOptions {
   LjBwrPrior prior = LjBwrPrior::published;
-  /// Relative prior uncertainty of U and P; without a value, that of largest evidence: in [2e-4, 0.05] for
+  /// Relative prior uncertainty of U and P; without a value, that of largest evidence: in [2e-4, 0.5] for
   /// `published`, in [1e-2, 1e6] for `none`.
   std::optional<double> prior_width = std::nullopt;
   /// Search gamma in [2, 4] for the largest evidence (NLopt); otherwise it stays at the published 3.
@@ -19,7 +19,10 @@ struct LjBwrFitOptions {
   /// Systematic relative errors of the data (finite size, cut-off), added in quadrature to the standard
   /// errors: of P in units of max(|P|, rho T), of U in units of max(|U|, T).
   double relative_error_floor = 0;
-  double T_low = lj_bwr_T_low; ///< data below are refused
+  /// Where the continuation with constant heat capacity begins; data below are refused. Default: three
+  /// quarters of the coldest state's temperature, but not below the published set's. Far below the data the
+  /// inverse powers of T, once corrected, have no hold: on real data the heat capacity turned negative there.
+  std::optional<double> T_low;
   /// 0: leave out one state at a time; k >= 2: leave out every k-th state together (k folds).
   int folds = 0;
 };

@@ -2,14 +2,15 @@
 #include "sdpd/engine.hpp"
 #include "sdpd/kernel/cubic.hpp"
 #include "sdpd/kernel/lucy.hpp"
+#include <algorithm>
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// Skin of the neighbour lists. A particle moves by about sqrt(dt^2/K) a step: small particles are fast and
-/// want a wide skin, large ones a narrow one. The values were found by timing K = 10 and K = 1000.
-double default_skin(double K) {
-  return K < 100 ? 0.4 : 0.25;
+/// Skin of the neighbour lists, from the rms step of a particle, dt sqrt(3/K): fast particles want a wide
+/// skin, slow ones a narrow one. The bounds and the factor were found by timing K = 10 ... 10000.
+double default_skin(SimulationSettings const& s) {
+  return std::clamp(8 * s.dt * std::sqrt(3 / s.K), 0.2, 0.7);
 }
 
 void validate(SimulationSettings const& s) {
@@ -76,7 +77,7 @@ std::unique_ptr<Simulation::Engine> build(SimulationSettings const& s, Eos const
       .eos = ParticleEos<Eos>(eos, units, share),
       .kernel = Kernel(h),
       .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
-      .neighbours = Neighbours(box, h, s.skin > 0 ? s.skin : default_skin(s.K), s.threads),
+      .neighbours = Neighbours(box, h, s.skin > 0 ? s.skin : default_skin(s), s.threads),
       .particles = {},
       .boltzmann = 1 / s.K,
       .seed = s.seed,
@@ -238,7 +239,7 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
     simulation.heat(missing / (1 - kinetic_share));
     // Large particles exchange their little kinetic energy slowly; it is brought to the set temperature
     // directly while the disorder of the start decays.
-    if (share < 0.25)
+    if (share < 0.5)
       simulation.scale_momenta(1 / std::sqrt(mean.T_kin));
   }
 }

@@ -36,13 +36,22 @@ fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
       any);
 }
 
+/// The range of a model's data is in Lennard-Jones units, the state in the model's own.
+bool outside_its_data(fitting::EosModel const& model, double rho, double T) {
+  auto const* const lj = std::get_if<fitting::LjBwr>(&model.eos);
+  if (!model.valid || !lj)
+    return false;
+  double const rho_reduced = rho / lj->scale().density, T_reduced = T / lj->scale().temperature;
+  return rho_reduced < model.valid->rho_min || rho_reduced > model.valid->rho_max ||
+         T_reduced < model.valid->T_min || T_reduced > model.valid->T_max;
+}
+
 Result eval(Options const& options, Context const& context) {
   auto const model =
       fitting::load_eos(options.model, [](std::string const& file) { return read_text_file(file); });
   auto const state = state_of(model.eos, options);
   bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
-  if (model.valid && (state.rho < model.valid->rho_min || state.rho > model.valid->rho_max ||
-                      state.T < model.valid->T_min || state.T > model.valid->T_max))
+  if (outside_its_data(model, state.rho, state.T))
     context.log->warn("the state lies outside the data of this model: it is extrapolated");
   std::vector<Line> const lines{
       {"rho", "_kg_m3", "kg/m^3", state.rho},

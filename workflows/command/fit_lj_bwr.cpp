@@ -54,6 +54,9 @@ Command fit_lj_bwr_command() {
         app.add_option("--prior-width", options->prior_width,
                        "Relative uncertainty of the prior's U and P (default: of largest evidence)");
         app.add_flag("--fit-gamma", options->fit.fit_gamma, "Search gamma as well");
+        // U and P are so correlated that errors of cut-off, size and time step show in a combination of the
+        // two.
+        options->fit.relative_error_floor = 1e-3;
         app.add_option("--error-floor", options->fit.relative_error_floor,
                        "Systematic relative error of the data, added in quadrature");
         app.add_option("--folds", options->fit.folds,

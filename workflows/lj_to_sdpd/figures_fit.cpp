@@ -1,3 +1,4 @@
+#include "fitting/eos/kolafa_nezbeda.hpp"
 #include "workflows/lj_to_sdpd/figures.hpp"
 #include <map>
 
@@ -19,6 +20,11 @@ struct Value {
 Value value(fitting::LjBwrFitPoint const& p, GridQuantity quantity) {
   return quantity == GridQuantity::U ? Value{p.U, p.U_se, p.U_fit, p.U_published}
                                      : Value{p.P, p.P_se, p.P_fit, p.P_published};
+}
+
+double kolafa_nezbeda(fitting::LjBwrFitPoint const& p, GridQuantity quantity) {
+  return quantity == GridQuantity::U ? 1.5 * p.T + fitting::kolafa_nezbeda_energy(p.rho, p.T)
+                                     : fitting::kolafa_nezbeda_pressure(p.rho, p.T);
 }
 
 /// U or P along an isotherm by an equation of state in Lennard-Jones units.
@@ -57,6 +63,7 @@ Plot isotherms(ChainResults const& results, GridQuantity quantity) {
   for (auto const& [T, points] : by_temperature(fit)) {
     Series data{.label = fmt::format("T* = {:.3g}", T), .x = {}, .y = {}, .y_error = {}, .colour = colour};
     Series residual{.x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series witness{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines, .colour = colour};
     Series other{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::dashes, .colour = colour};
     for (auto const& point : points) {
       auto const v = value(point, quantity);
@@ -65,11 +72,13 @@ Plot isotherms(ChainResults const& results, GridQuantity quantity) {
       residual.x.push_back(point.rho), residual.y.push_back(scale * (v.data - v.fit));
       residual.y_error.push_back(scale * v.se);
       other.x.push_back(point.rho), other.y.push_back(scale * (v.published - v.fit));
+      witness.x.push_back(point.rho), witness.y.push_back(scale * (kolafa_nezbeda(point, quantity) - v.fit));
     }
     values.series.push_back(data);
     values.series.push_back(curve(fit.eos, T, fit.sampled, quantity, SeriesStyle::lines, colour));
     values.series.push_back(curve(published, T, fit.sampled, quantity, SeriesStyle::dashes, colour));
     differences.series.push_back(residual);
+    differences.series.push_back(witness);
     differences.series.push_back(other);
     ++colour;
   }

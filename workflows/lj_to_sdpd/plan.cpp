@@ -50,11 +50,11 @@ SdpdPlan sdpd_plan(md::Preset preset, std::filesystem::path const& model, std::i
   SdpdPlan plan;
   auto fluid = [&](double K, std::string const& eos, std::string const& label) {
     // Small particles are fast and have small heat capacities: they need the thesis's short step.
-    Scene scene = base(K, K < 50 ? 0.03 : 0.06, seed);
+    Scene scene = base(K, K < 50 ? 0.03 : K < 1000 ? 0.06 : 0.1, seed);
     scene.fluid.eos = eos;
     scene.title = fmt::format("Lennard-Jones argon ({}), K = {:g}", label, K);
     // The structure of large, hardly fluctuating particles takes longer to settle.
-    scene.run.equilibrate = K < 1000 ? steps.equilibrate : 2 * steps.equilibrate;
+    scene.run.equilibrate = (K < 1000 ? 1 : K < 10000 ? 2 : 4) * steps.equilibrate;
     scene.run.steps = steps.fluid;
     return scene;
   };
@@ -74,8 +74,8 @@ SdpdPlan sdpd_plan(md::Preset preset, std::filesystem::path const& model, std::i
     double K;
     std::vector<double> dts;
   };
-  for (auto const& [K, dts] : {Row{10, {0.1, 0.15, 0.2, 0.25, 0.3}}, Row{50, {0.2, 0.25, 0.3, 0.35, 0.4}},
-                               Row{100, {0.2, 0.25, 0.3, 0.35, 0.4}}})
+  for (auto const& [K, dts] : {Row{10, {0.15, 0.2, 0.25, 0.3, 0.35}}, Row{50, {0.3, 0.35, 0.4, 0.45, 0.5}},
+                               Row{100, {0.3, 0.35, 0.4, 0.45, 0.5}}})
     for (double const dt : dts) {
       Scene scene = ideal_gas(K, dt, seed);
       scene.run.equilibrate = steps.drift / 4;

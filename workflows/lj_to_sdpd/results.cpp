@@ -1,5 +1,6 @@
 #include "workflows/lj_to_sdpd/results.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
+#include "fitting/eos/kolafa_nezbeda.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gsl/gsl_cdf.h>
@@ -30,6 +31,11 @@ void fit_power_law(DriftLaw& law) {
   law.prefactor = {C, C * widen * std::sqrt(var_offset), double(law.used)};
 }
 
+void widen(Difference& worst, fitting::LjBwrFitPoint const& p, double U, double P) {
+  worst.U = std::max(worst.U, std::abs(p.U_fit - U) / std::max(std::abs(U), p.T));
+  worst.P = std::max(worst.P, std::abs(p.P_fit / P - 1));
+}
+
 } // namespace
 
 std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs) {
@@ -58,12 +64,19 @@ GammaTest gamma_test(RunResult const& run) {
           energies.size()};
 }
 
-PublishedDifference difference_to_published(fitting::LjBwrFit const& fit) {
-  PublishedDifference worst{0, 0};
-  for (auto const& p : fit.points) {
-    worst.U = std::max(worst.U, std::abs(p.U_fit - p.U_published) / std::max(std::abs(p.U_published), p.T));
-    worst.P = std::max(worst.P, std::abs(p.P_fit / p.P_published - 1));
-  }
+Difference difference_to_published(fitting::LjBwrFit const& fit, double T_max) {
+  Difference worst{0, 0};
+  for (auto const& p : fit.points)
+    if (p.T <= T_max)
+      widen(worst, p, p.U_published, p.P_published);
+  return worst;
+}
+
+Difference difference_to_kolafa_nezbeda(fitting::LjBwrFit const& fit) {
+  Difference worst{0, 0};
+  for (auto const& p : fit.points)
+    widen(worst, p, 1.5 * p.T + fitting::kolafa_nezbeda_energy(p.rho, p.T),
+          fitting::kolafa_nezbeda_pressure(p.rho, p.T));
   return worst;
 }
 

@@ -19,9 +19,12 @@ Json chain_summary(ChainResults const& results) {
   Json json;
   json["md"] = {{"settings", results.md_description}, {"states", state_grid_json(results.grid)}};
   json["fit"] = fit_json(results.fit);
-  auto const difference = difference_to_published(results.fit);
-  json["fit"]["largest_relative_difference_to_published_U"] = difference.U;
-  json["fit"]["largest_relative_difference_to_published_P"] = difference.P;
+  auto put_difference = [&](std::string const& name, Difference const& difference) {
+    json["fit"]["largest_relative_difference_to_" + name] = {{"U", difference.U}, {"P", difference.P}};
+  };
+  put_difference("published", difference_to_published(results.fit, results.fit.sampled.T_max));
+  put_difference("published_in_its_range", difference_to_published(results.fit, published_T_max));
+  put_difference("kolafa_nezbeda", difference_to_kolafa_nezbeda(results.fit));
   json["sdpd"] = {{"fluid", runs_json(results.fluid)},
                   {"published", runs_json(results.published)},
                   {"ideal_gas", runs_json(results.ideal)},

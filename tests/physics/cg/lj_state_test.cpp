@@ -1,11 +1,13 @@
 #include "cg/state_grid.hpp"
+#include "fitting/eos/kolafa_nezbeda.hpp"
 #include "md/lj_fluid.hpp"
-#include "physics/cg/kolafa_nezbeda.hpp"
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 namespace mesobridge::cg::test {
 namespace {
+
+using fitting::kolafa_nezbeda_energy, fitting::kolafa_nezbeda_heat_capacity, fitting::kolafa_nezbeda_pressure;
 
 StatePoint measure(md::LjState state, md::LjFluidSettings settings) {
   settings.log_file =

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace mesobridge::cg::test {
+namespace mesobridge::fitting {
 
 /// The equation of state of Kolafa and Nezbeda, Fluid Phase Equilib. 100, 1 (1994), for the whole
 /// Lennard-Jones fluid up to T* = 20: independent of the BWR form and, unlike the 1993 coefficients of that
@@ -57,4 +57,4 @@ inline double kolafa_nezbeda_heat_capacity(double rho, double T) {
   return 1.5 + five_point([&](double t) { return kolafa_nezbeda_energy(rho, t); }, T);
 }
 
-} // namespace mesobridge::cg::test
+} // namespace mesobridge::fitting
