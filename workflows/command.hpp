@@ -1,14 +1,21 @@
 #pragma once
 #include "workflows/progress.hpp"
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <spdlog/logger.h>
 #include <string>
 #include <vector>
+
+// Declared only: these headers are slow to compile, and few of those who include this one need them.
+namespace CLI {
+class App;
+}
+namespace spdlog {
+class logger;
+}
 
 namespace mesobridge::workflows {
 

@@ -5,9 +5,11 @@
 #include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <omp.h>
+#include <spdlog/logger.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
 namespace mesobridge::workflows {

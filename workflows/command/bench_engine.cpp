@@ -1,5 +1,6 @@
 #include "sdpd/simulation.hpp"
 #include "workflows/command/list.hpp"
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 

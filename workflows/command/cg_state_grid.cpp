@@ -3,6 +3,8 @@
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
+#include <CLI/CLI.hpp>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 

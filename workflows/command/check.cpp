@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/scene/scene.hpp"
+#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 

@@ -3,6 +3,8 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 

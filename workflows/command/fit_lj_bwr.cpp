@@ -5,6 +5,7 @@
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/version.hpp"
+#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 

@@ -3,6 +3,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/lj/sample_grid.hpp"
 #include "workflows/ranks.hpp"
+#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 

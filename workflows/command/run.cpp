@@ -2,6 +2,7 @@
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
 #include "workflows/sdpd/run_scene.hpp"
+#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 namespace {

@@ -2,6 +2,7 @@
 #include "workflows/lj_to_sdpd/chain.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 namespace {

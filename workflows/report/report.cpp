@@ -31,13 +31,13 @@ std::string row(std::vector<std::string> const& cells, std::string const& tag) {
 
 struct ContentWriter {
   std::string operator()(Paragraph const& paragraph) const {
-    return "<p>" + prose(paragraph.text) + "</p>\n";
+    return fmt::format("<p>{}</p>\n", prose(paragraph.text));
   }
 
   std::string operator()(Figure const& figure) const {
     std::string text = "<figure>\n<div class=\"drawings\">\n";
     for (auto const& svg : figure.svgs)
-      text += "<div>" + svg + "</div>\n";
+      text += fmt::format("<div>{}</div>\n", svg);
     return text + "</div>\n<figcaption>" + prose(figure.caption) + "</figcaption>\n</figure>\n";
   }
 
@@ -79,11 +79,11 @@ std::string provenance_html(Provenance const& provenance) {
   auto const entry = [&](std::string const& name, std::string const& value) {
     text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_escaped(name), prose(value));
   };
-  entry("Command", "`" + provenance.command + "`");
+  entry("Command", fmt::format("`{}`", provenance.command));
   entry("Program", fmt::format("mesobridge {} ({})", version(), git_commit()));
   entry("Seed", std::to_string(provenance.seed));
   for (auto const& input : provenance.inputs)
-    entry("SHA-256 of " + input.filename().string(), "`" + sha256_of_file(input) + "`");
+    entry("SHA-256 of " + input.filename().string(), fmt::format("`{}`", sha256_of_file(input)));
   text += "</dl>\n";
   if (!provenance.scene.empty())
     text += "<p>The scene as resolved:</p>\n<pre>" + html_escaped(provenance.scene) + "</pre>\n";
@@ -115,7 +115,7 @@ std::string html_escaped(std::string const& text) {
 }
 
 std::string Report::html() const {
-  std::string body = "<h1>" + html_escaped(title) + "</h1>\n<p class=\"lead\">" + prose(lead) + "</p>\n";
+  auto body = fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", html_escaped(title), prose(lead));
   body += verdicts_html(verdicts) + "<nav>";
   for (std::size_t i = 0; i < sections.size(); ++i)
     body += fmt::format("<a href=\"#s{}\">{}</a>", i, html_escaped(sections[i].title));

@@ -2,8 +2,10 @@
 #include "workflows/command_line.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <gtest/gtest.h>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 
