@@ -6,8 +6,9 @@ namespace mesobridge::sdpd {
 namespace {
 
 template <class T>
-void reorder(std::vector<T>& values, std::span<Index const> order) {
+void reorder(std::vector<T>& values, std::span<Index const> order, int threads) {
   std::vector<T> sorted(values.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < order.size(); ++k)
     sorted[k] = values[order[k]];
   values.swap(sorted);
@@ -32,8 +33,9 @@ bool Neighbours::outdated(std::span<Vec3 const> q) const {
 }
 
 void Neighbours::renew(Particles& particles) {
-  for (auto& q : particles.q)
-    q = box_.wrap(q);
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    particles.q[i] = box_.wrap(particles.q[i]);
   sort(particles);
   q_renewed_ = particles.q;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads_)
@@ -44,7 +46,7 @@ void Neighbours::renew(Particles& particles) {
     room_begin_[task] = total;
     total += candidates_[task].size();
   }
-  pairs_.resize(total);
+  i_.resize(total), j_.resize(total), x_.resize(total), y_.resize(total), z_.resize(total), F_.resize(total);
   std::fill(pair_count_.begin(), pair_count_.end(), 0);
 }
 
@@ -57,25 +59,27 @@ void Neighbours::sort(Particles& particles) {
   std::vector<Index> next(cell_begin_.begin(), cell_begin_.end() - 1);
   for (std::size_t i = 0; i < particles.size(); ++i)
     order[next[cell[i]]++] = static_cast<Index>(i);
+#pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::size_t c = 0; c < grid_.cell_count(); ++c)
     std::sort(order.begin() + cell_begin_[c], order.begin() + cell_begin_[c + 1],
               [&](Index a, Index b) { return particles.id[a] < particles.id[b]; });
-  reorder(particles.id, order), reorder(particles.q, order), reorder(particles.p, order);
-  reorder(particles.eps, order), reorder(particles.rho, order), reorder(particles.S, order);
-  reorder(particles.T, order), reorder(particles.P, order), reorder(particles.f, order);
-  reorder(particles.caloric, order);
+  auto each = [&](auto&... values) { (reorder(values, order, threads_), ...); };
+  each(particles.id, particles.q, particles.p, particles.eps, particles.rho, particles.S, particles.T,
+       particles.P, particles.f, particles.caloric);
 }
 
 void Neighbours::find_candidates(std::size_t task, std::span<Vec3 const> q) {
   auto const& [first, second, shift] = grid_.pairs()[task];
-  auto& found = candidates_[task];
-  found.clear();
   double const reach = (range_ + skin_) * (range_ + skin_);
   Index const a = cell_begin_[first], b = cell_begin_[second];
   Index const n_a = cell_begin_[first + 1] - a, n_b = cell_begin_[second + 1] - b;
-  auto consider = [&](Index i, Index j) {
-    if (norm2(q[i] - q[j] - shift) < reach)
-      found.push_back({i, j});
+  thread_local std::vector<Candidate> found;
+  if (std::size_t const room = std::size_t{n_a} * n_b + 1; found.size() < room)
+    found.resize(room);
+  std::size_t count = 0;
+  auto consider = [&](Index i, Index j) { // without a branch: what is too far is overwritten by the next
+    found[count] = {i, j};
+    count += norm2(q[i] - q[j] - shift) < reach;
   };
   if (first == second) {
     for (Index k = 1; 2 * k <= n_a; ++k)
@@ -90,6 +94,7 @@ void Neighbours::find_candidates(std::size_t task, std::span<Vec3 const> q) {
       for (Index j = 0; j < n_b; ++j)
         consider(a + (j + k < n_a ? j + k : j + k - n_a), b + j);
   }
+  candidates_[task].assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 std::size_t Neighbours::pair_count() const {

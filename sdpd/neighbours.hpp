@@ -1,5 +1,7 @@
 #pragma once
+#include "sdpd/barrier.hpp"
 #include "sdpd/cells.hpp"
+#include <omp.h>
 #include <optional>
 
 namespace mesobridge::sdpd {
@@ -9,11 +11,14 @@ struct Candidate {
   Index i, j;
 };
 
-/// Two particles within the range now: r = q_i - q_j of the nearest image, and the kernel's F(|r|).
-struct Pair {
-  Index i, j;
-  Vec3 r;
-  double F;
+/// Pairs of particles within the range now, as a structure of arrays: the separations r = q_i - q_j of the
+/// nearest images and the kernel's F(|r|).
+struct Pairs {
+  std::span<Index> i, j;
+  std::span<double> x, y, z, F;
+
+  std::size_t size() const { return i.size(); }
+  Vec3 r(std::size_t k) const { return {x[k], y[k], z[k]}; }
 };
 
 /// Lists of pairs by cell pair. Candidates are found when the lists are renewed; the pairs in range are
@@ -40,18 +45,18 @@ class Neighbours {
   std::span<Candidate const> candidates(std::size_t task) const { return candidates_[task]; }
   Vec3 const& shift(std::size_t task) const { return grid_.pairs()[task].shift; }
 
-  /// Room for the pairs in range of one cell pair; `pair_count` says how much of it is in use.
-  std::span<Pair> room(std::size_t task) {
-    return {pairs_.data() + room_begin_[task], candidates_[task].size()};
-  }
-  std::span<Pair const> pairs(std::size_t task) const {
-    return {pairs_.data() + room_begin_[task], pair_count_[task]};
-  }
-  std::span<Pair> pairs(std::size_t task) { return {pairs_.data() + room_begin_[task], pair_count_[task]}; }
+  /// Room for the pairs in range of one cell pair; set_pair_count says how much of it is in use.
+  Pairs room(std::size_t task) { return part(task, candidates_[task].size()); }
   void set_pair_count(std::size_t task, std::size_t count) { pair_count_[task] = count; }
+  Pairs pairs(std::size_t task) { return part(task, pair_count_[task]); }
   std::size_t pair_count() const;
 
  private:
+  Pairs part(std::size_t task, std::size_t count) {
+    std::size_t const begin = room_begin_[task];
+    auto of = [begin, count](auto& array) { return std::span(array).subspan(begin, count); };
+    return {of(i_), of(j_), of(x_), of(y_), of(z_), of(F_)};
+  }
   void sort(Particles& particles);
   void find_candidates(std::size_t task, std::span<Vec3 const> q);
 
@@ -63,7 +68,8 @@ class Neighbours {
   std::vector<Vec3> q_renewed_;
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<std::size_t> room_begin_, pair_count_;
-  std::vector<Pair> pairs_;
+  std::vector<Index> i_, j_;
+  std::vector<double> x_, y_, z_, F_;
 };
 
 /// Calls f(task) for every cell pair of the grid, phase after phase, on all threads. Only for functions that
@@ -71,11 +77,24 @@ class Neighbours {
 template <class F>
 void for_each_task(CellGrid const& grid, int threads, F&& f) {
   auto const begin = grid.phase_begin();
-#pragma omp parallel num_threads(threads)
-  for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
-#pragma omp for schedule(static)
-    for (std::size_t task = begin[phase]; task < begin[phase + 1]; ++task)
+  if (threads == 1) { // the phases follow each other in the list
+    for (std::size_t task = 0; task < grid.pairs().size(); ++task)
       f(task);
+    return;
+  }
+  std::optional<Barrier> barrier;
+#pragma omp parallel num_threads(threads)
+  {
+#pragma omp single // ends with a barrier of its own: all see the new one
+    barrier.emplace(omp_get_num_threads());
+    auto const team = static_cast<std::size_t>(omp_get_num_threads());
+    auto const me = static_cast<std::size_t>(omp_get_thread_num());
+    for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
+      std::size_t const first = begin[phase], count = begin[phase + 1] - first;
+      for (std::size_t task = first + count * me / team; task < first + count * (me + 1) / team; ++task)
+        f(task);
+      barrier->wait();
+    }
   }
 }
 

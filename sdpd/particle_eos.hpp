@@ -4,29 +4,29 @@
 
 namespace mesobridge::sdpd {
 
-/// The caloric state of a particle at fixed density, as an expansion of T about a reference energy:
-///     T(eps) = T0 + x (1 + kappa x),  x = (eps - eps0) / C0,  kappa = -C0'/(2 C0).
-/// It is exact for a constant heat capacity; otherwise its relative error is of third order in x/T0, and the
-/// engine renews it (one warm Newton inversion) when |x| grows past `caloric_reach` T0. That replaces an
-/// inversion of the equation of state for each pair by two multiplications. Energy is conserved whatever the
-/// error is, because the energies are the variables; only the friction feels it, through T.
+/// Temperature and heat capacity of a particle whose energy changes at fixed density, in small steps:
+///     T <- T + d (1/C + c d),  1/C <- 1/C + 2 c d,  c = -(dC/dT) / 2 C^3,
+/// the expansion to second order about the energy where `T_start` was exact. It is exact for a constant heat
+/// capacity; otherwise its relative error is of third order in (T - T_start)/T_start, and the engine renews
+/// it (one warm Newton inversion) when that grows past `caloric_reach`. So two multiplications take the place
+/// of an inversion of the equation of state for each pair. Energy is conserved whatever the error is, because
+/// the energies are the variables; only the friction feels it, through T.
 struct Caloric {
-  double eps0, T0, inv_C0, kappa;
+  double T, inverse_C, curvature, T_start;
 
-  double temperature(double eps) const {
-    double const x = (eps - eps0) * inv_C0;
-    return T0 + x * (1 + kappa * x);
+  void heat(double d) {
+    T += d * (inverse_C + curvature * d);
+    inverse_C += 2 * curvature * d;
   }
-  /// 1/C(eps) = dT/deps
-  double inverse_heat_capacity(double eps) const { return inv_C0 * (1 + 2 * kappa * (eps - eps0) * inv_C0); }
-  bool reaches(double eps) const;
+  /// False too when T is not a number, and when T <= 0.
+  bool in_reach() const;
 };
 
-/// Largest |x|/T0 at which a caloric expansion serves; T is then right to about 1e-5 for the LJ fluid.
+/// Largest relative change of T that an expansion serves; T is then right to about 1e-5 for the LJ fluid.
 inline constexpr double caloric_reach = 0.03;
 
-inline bool Caloric::reaches(double eps) const {
-  return kappa == 0 || std::abs((eps - eps0) * inv_C0) <= caloric_reach * T0;
+inline bool Caloric::in_reach() const {
+  return std::abs(T - T_start) <= caloric_reach * T_start;
 }
 
 /// The equation of state of one particle of size K in reduced units: S(eps, rho) = f m_K s(eps/(f m_K), rho).
@@ -52,11 +52,10 @@ class ParticleEos {
     double temperature_from_entropy(double S, double T_guess) const {
       return isochore_.temperature_from_entropy(S * p_.s_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
     }
-    Caloric caloric(double eps, double T) const {
-      double const T_si = T * p_.T_unit_;
-      double const c = isochore_.heat_capacity(T_si);
-      double const slope = isochore_.heat_capacity_slope(T_si);
-      return {eps, T, p_.s_unit_ / c, -0.5 * slope / c * p_.T_unit_};
+    Caloric caloric(double T) const {
+      double const c = isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_;
+      double const slope = isochore_.heat_capacity_slope(T * p_.T_unit_) * p_.T_unit_ / p_.s_unit_;
+      return {T, 1 / c, -0.5 * slope / (c * c * c), T};
     }
     double heat_capacity(double T) const { return isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_; }
 

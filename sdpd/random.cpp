@@ -58,27 +58,22 @@ inline float unit_interval(std::uint32_t bits) {
 
 void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
                GaussianLanes& out) {
-  alignas(64) std::uint32_t c0[noise_lanes], c1[noise_lanes], c2[noise_lanes], c3[noise_lanes];
   for (int lane = 0; lane < noise_lanes; ++lane) {
-    c0[lane] = id_a[lane], c1[lane] = id_b[lane];
-    c2[lane] = source.step_low, c3[lane] = source.step_high_and_stream;
-  }
-  auto key = source.key;
-  for (int round = 0; round < Philox4x32::rounds; ++round) {
-    for (int lane = 0; lane < noise_lanes; ++lane) {
-      std::uint64_t const a = std::uint64_t{Philox4x32::multiplier_0} * c0[lane];
-      std::uint64_t const b = std::uint64_t{Philox4x32::multiplier_1} * c2[lane];
-      c0[lane] = static_cast<std::uint32_t>(b >> 32) ^ c1[lane] ^ key[0];
-      c2[lane] = static_cast<std::uint32_t>(a >> 32) ^ c3[lane] ^ key[1];
-      c1[lane] = static_cast<std::uint32_t>(b);
-      c3[lane] = static_cast<std::uint32_t>(a);
+    std::uint32_t c0 = id_a[lane], c1 = id_b[lane], c2 = source.step_low, c3 = source.step_high_and_stream;
+    std::uint32_t k0 = source.key[0], k1 = source.key[1];
+#pragma GCC unroll 10 // else the lanes do not vectorise
+    for (int round = 0; round < Philox4x32::rounds; ++round) {
+      std::uint64_t const a = std::uint64_t{Philox4x32::multiplier_0} * c0;
+      std::uint64_t const b = std::uint64_t{Philox4x32::multiplier_1} * c2;
+      c0 = static_cast<std::uint32_t>(b >> 32) ^ c1 ^ k0;
+      c2 = static_cast<std::uint32_t>(a >> 32) ^ c3 ^ k1;
+      c1 = static_cast<std::uint32_t>(b);
+      c3 = static_cast<std::uint32_t>(a);
+      k0 += Philox4x32::weyl_0, k1 += Philox4x32::weyl_1;
     }
-    key[0] += Philox4x32::weyl_0, key[1] += Philox4x32::weyl_1;
-  }
-  for (int lane = 0; lane < noise_lanes; ++lane) {
-    float const radius_1 = std::sqrt(-2.0f * log_unit(unit_interval(c0[lane])));
-    float const radius_2 = std::sqrt(-2.0f * log_unit(unit_interval(c2[lane])));
-    SineCosine const first = sine_cosine(c1[lane]), second = sine_cosine(c3[lane]);
+    float const radius_1 = std::sqrt(-2.0f * log_unit(unit_interval(c0)));
+    float const radius_2 = std::sqrt(-2.0f * log_unit(unit_interval(c2)));
+    SineCosine const first = sine_cosine(c1), second = sine_cosine(c3);
     out.x[lane] = radius_1 * first.cosine;
     out.y[lane] = radius_1 * first.sine;
     out.z[lane] = radius_2 * second.cosine;

@@ -13,11 +13,20 @@ struct alignas(64) FluctuatingParticle {
 };
 static_assert(sizeof(FluctuatingParticle) == 64);
 
-/// Working memory of the sub-steps, kept from step to step so that none of them allocates.
+/// What the forces need of a particle and change of it, in half a cache line: push = P/rho^2.
+struct alignas(32) PushedParticle {
+  Vec3 f;
+  double push;
+};
+static_assert(sizeof(PushedParticle) == 32);
+
+/// Working memory of the sub-steps, by particle and (virial) by cell pair, kept from step to step so that
+/// none of them allocates.
 struct Scratch {
-  std::vector<FluctuatingParticle> fluctuating; ///< by particle
-  std::vector<double> inverse_rho, push;        ///< by particle: 1/rho, P/rho^2
-  std::vector<double> virial;                   ///< by cell pair
+  std::vector<FluctuatingParticle> fluctuating;
+  std::vector<double> inverse_rho;
+  std::vector<PushedParticle> pushed;
+  std::vector<double> virial;
 };
 
 /// Everything that the sub-steps of a scheme work on: one fluid of particles of one size in a periodic box,

@@ -31,10 +31,24 @@ struct PairBath {
   double thermal;     ///< 4 k_B T_i T_j / (T_i + T_j) / (1 - d) = sigma^2 / gamma
 
   PairBath(double boltzmann, double T_i, double T_j, double inverse_C_i, double inverse_C_j) {
-    double const inverse_sum = 1 / (T_i + T_j);
-    double const mean = boltzmann * T_i * T_j * inverse_sum;
-    one_minus_d = 1 - mean * inverse_sum * (inverse_C_i + inverse_C_j);
-    thermal = 4 * mean / one_minus_d;
+    // d = m (1/C_i + 1/C_j) / s^2 with m = k_B T_i T_j, s = T_i + T_j; so written, the two divisions do not
+    // wait for each other.
+    double const m = boltzmann * T_i * T_j, s = T_i + T_j, s2 = s * s;
+    double const rest = s2 - m * (inverse_C_i + inverse_C_j);
+    one_minus_d = rest / s2;
+    thermal = 4 * m * s / rest;
+  }
+
+  /// Both directions, along the pair with friction coefficient a_par and across it with a_perp.
+  struct Directions {
+    OrnsteinUhlenbeck par, perp;
+  };
+  Directions step(double a_par, double a_perp, bool par_is_twice_perp, double dt) const {
+    OrnsteinUhlenbeck const perp = step(a_perp, dt);
+    if (!par_is_twice_perp)
+      return {step(a_par, dt), perp};
+    double const decay = perp.decay * (2 + perp.decay); // exp(-2x) - 1 from exp(-x) - 1
+    return {{decay, std::sqrt(thermal * -decay * (2 + decay))}, perp};
   }
 
   /// One direction with friction coefficient `a` (without the factor 1-d) over the time dt.
@@ -49,11 +63,13 @@ struct PairBath {
 /// (Eq. 1.33).
 class SdpdFriction {
  public:
-  SdpdFriction(double eta, double zeta) : perp_(5 * eta / 3 - zeta), par_(10 * eta / 3 + 4 * zeta) {
+  SdpdFriction(double eta, double zeta) : perp_(5 * eta / 3 - zeta), par_(2 * (5 * eta / 3) + 4 * zeta) {
     require(eta >= 0 && std::isfinite(eta), "shear viscosity eta", eta, "must be >= 0");
     require(zeta >= 0 && perp_ >= 0, "bulk viscosity zeta", zeta,
             "must lie between 0 and 5 eta/3, or the transverse friction turns negative");
   }
+  /// Without bulk viscosity a_par = 2 a_perp, which saves half of the exponentials.
+  bool par_is_twice_perp() const { return par_ == 2 * perp_; }
   double perp(double chi) const { return perp_ * chi; }
   double par(double chi) const { return par_ * chi; }
 

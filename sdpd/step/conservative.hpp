@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/system.hpp"
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 /// The sub-steps of the conservative dynamics: Velocity Verlet at constant entropies (theory sheet, sections
@@ -34,6 +35,44 @@ void refresh_lists(S& system) {
   }
 }
 
+/// Picks the pairs in range from the candidates of one cell pair, with their separations and, for the while,
+/// |r|^2 in the place of F. Returns how many there are.
+inline std::size_t select_pairs(std::span<Vec3 const> q, Neighbours& neighbours, std::size_t task,
+                                double range2) {
+  auto const room = neighbours.room(task);
+  Vec3 const shift = neighbours.shift(task);
+  std::size_t count = 0;
+  for (auto const [i, j] :
+       neighbours.candidates(task)) { // without a branch: what is out of range is overwritten by the next
+    Vec3 const r = q[i] - q[j] - shift;
+    double const r2 = norm2(r);
+    room.i[count] = i, room.j[count] = j;
+    room.x[count] = r.x, room.y[count] = r.y, room.z[count] = r.z, room.F[count] = r2;
+    count += r2 < range2;
+  }
+  return count;
+}
+
+/// F of the pairs from their |r|^2, and what they add to the densities.
+template <class Kernel>
+void add_densities(Kernel const& kernel, Pairs const& pairs, std::vector<double>& rho) {
+  constexpr std::size_t block = 64; // small enough for the first cache
+  std::array<double, block> W;
+  for (std::size_t begin = 0; begin < pairs.size(); begin += block) {
+    std::size_t const count = std::min(block, pairs.size() - begin);
+    double* const F = pairs.F.data() + begin;
+    for (std::size_t k = 0; k < count; ++k) {
+      double const r = std::sqrt(F[k]);
+      W[k] = kernel.W(r);
+      F[k] = kernel.F(r);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      rho[pairs.i[begin + k]] += W[k];
+      rho[pairs.j[begin + k]] += W[k];
+    }
+  }
+}
+
 /// Picks the pairs in range with their separations and F, and sums rho_i = sum_j m_j W_ij with the self term.
 template <class S>
 void find_pairs_and_densities(S& system) {
@@ -42,24 +81,9 @@ void find_pairs_and_densities(S& system) {
   double const range2 = neighbours.range() * neighbours.range();
   std::fill(particles.rho.begin(), particles.rho.end(), system.self_density());
   for_each_task(neighbours.grid(), system.threads, [&](std::size_t task) {
-    auto const candidates = neighbours.candidates(task);
-    auto const room = neighbours.room(task);
-    Vec3 const shift = neighbours.shift(task);
-    std::size_t count = 0;
-    for (auto const [i, j] : candidates) { // without a branch: a pair out of range is overwritten by the next
-      Vec3 const r = particles.q[i] - particles.q[j] - shift;
-      double const r2 = norm2(r);
-      room[count] = {i, j, r, r2};
-      count += r2 < range2;
-    }
+    std::size_t const count = select_pairs(particles.q, neighbours, task, range2);
     neighbours.set_pair_count(task, count);
-    for (auto& pair : room.first(count)) {
-      double const r = std::sqrt(pair.F);
-      double const W = system.kernel.W(r);
-      pair.F = system.kernel.F(r);
-      particles.rho[pair.i] += W;
-      particles.rho[pair.j] += W;
-    }
+    add_densities(system.kernel, neighbours.pairs(task), particles.rho);
   });
 }
 
@@ -73,7 +97,7 @@ void thermodynamics_from_entropy(S& system) {
     particles.T[i] = T;
     particles.eps[i] = at.energy(T);
     particles.P[i] = at.pressure(T);
-    particles.caloric[i] = at.caloric(particles.eps[i], T);
+    particles.caloric[i] = at.caloric(T);
   });
 }
 
@@ -107,24 +131,27 @@ template <class S>
 void find_forces(S& system) {
   auto& particles = system.particles;
   auto& neighbours = system.neighbours;
-  std::fill(particles.f.begin(), particles.f.end(), Vec3{});
-  auto& push = system.scratch.push;
+  auto& pushed = system.scratch.pushed;
   auto& virial = system.scratch.virial;
-  push.resize(particles.size()), virial.resize(neighbours.grid().pairs().size());
+  pushed.resize(particles.size()), virial.resize(neighbours.grid().pairs().size());
 #pragma omp parallel for schedule(static) num_threads(system.threads)
   for (std::size_t i = 0; i < particles.size(); ++i)
-    push[i] = particles.P[i] / (particles.rho[i] * particles.rho[i]);
+    pushed[i] = {{}, particles.P[i] / (particles.rho[i] * particles.rho[i])};
   for_each_task(neighbours.grid(), system.threads, [&](std::size_t task) {
     double sum = 0;
-    for (auto const& pair : std::as_const(neighbours).pairs(task)) {
-      double const strength = (push[pair.i] + push[pair.j]) * pair.F;
-      particles.f[pair.i] += strength * pair.r;
-      particles.f[pair.j] -= strength * pair.r;
-      sum += strength * norm2(pair.r);
+    auto const pairs = neighbours.pairs(task);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      PushedParticle &a = pushed[pairs.i[k]], &b = pushed[pairs.j[k]];
+      Vec3 const r = pairs.r(k), f = (a.push + b.push) * pairs.F[k] * r;
+      a.f += f, b.f -= f;
+      sum += dot(f, r);
     }
     virial[task] = sum;
   });
   system.virial = std::accumulate(virial.begin(), virial.end(), 0.0);
+#pragma omp parallel for schedule(static) num_threads(system.threads)
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    particles.f[i] = pushed[i].f;
 }
 
 } // namespace mesobridge::sdpd

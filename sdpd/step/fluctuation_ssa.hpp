@@ -10,20 +10,21 @@ struct PairGroup {
   alignas(64) std::array<double, noise_lanes> inverse_r2, chi;
 };
 
-/// Noise (turned so that it points from the smaller to the larger id), 1/r^2 and chi of up to noise_lanes
-/// pairs.
-inline void prepare(std::span<Pair const> pairs, NoiseSource const& source, std::span<std::uint32_t const> id,
-                    std::span<double const> inverse_rho, PairGroup& group) {
+/// Noise (turned so that it points from the smaller to the larger id), 1/r^2 and chi of noise_lanes pairs
+/// from `begin`.
+inline void prepare(Pairs const& pairs, std::size_t begin, NoiseSource const& source,
+                    std::span<std::uint32_t const> id, std::span<double const> inverse_rho,
+                    PairGroup& group) {
   alignas(64) std::array<std::uint32_t, noise_lanes> low, high;
   alignas(64) std::array<float, noise_lanes> sign;
-  for (int lane = 0; lane < noise_lanes; ++lane) {
-    // A group that is not full repeats its last pair, so that every lane holds valid numbers.
-    Pair const& pair = pairs[std::min<std::size_t>(lane, pairs.size() - 1)];
-    std::uint32_t const a = id[pair.i], b = id[pair.j];
-    low[lane] = std::min(a, b), high[lane] = std::max(a, b);
-    sign[lane] = a < b ? 1.0f : -1.0f;
-    group.inverse_r2[lane] = 1 / norm2(pair.r);
-    group.chi[lane] = pair.F * inverse_rho[pair.i] * inverse_rho[pair.j];
+  for (std::size_t lane = 0; lane < noise_lanes; ++lane) {
+    // Lanes past the end repeat the last pair, so that all hold valid numbers.
+    std::size_t const k = std::min(begin + lane, pairs.size() - 1);
+    Index const i = pairs.i[k], j = pairs.j[k];
+    low[lane] = std::min(id[i], id[j]), high[lane] = std::max(id[i], id[j]);
+    sign[lane] = id[i] < id[j] ? 1.0f : -1.0f;
+    group.inverse_r2[lane] = 1 / norm2(pairs.r(k));
+    group.chi[lane] = pairs.F[k] * inverse_rho[i] * inverse_rho[j];
   }
   gaussians(source, low.data(), high.data(), group.noise);
   for (int lane = 0; lane < noise_lanes; ++lane) {
@@ -36,12 +37,11 @@ inline void prepare(std::span<Pair const> pairs, NoiseSource const& source, std:
 /// One pair's exact Ornstein-Uhlenbeck step; the change of kinetic energy goes to the two internal energies
 /// in equal parts, so that momentum and energy are conserved to round-off (theory sheet, section 3, SSA;
 /// masses are 1).
-[[gnu::always_inline]] inline void fluctuate_pair(FluctuatingParticle& a, FluctuatingParticle& b, Vec3 const& r, double inverse_r2,
-                           double chi, Vec3 const& G, SdpdFriction const& friction, double boltzmann,
-                           double dt) {
-  PairBath const bath(boltzmann, a.caloric.temperature(a.eps), b.caloric.temperature(b.eps),
-                      a.caloric.inverse_heat_capacity(a.eps), b.caloric.inverse_heat_capacity(b.eps));
-  OrnsteinUhlenbeck const par = bath.step(friction.par(chi), dt), perp = bath.step(friction.perp(chi), dt);
+[[gnu::always_inline]] inline void fluctuate_pair(FluctuatingParticle& a, FluctuatingParticle& b,
+                                                  Vec3 const& r, double inverse_r2, double chi, Vec3 const& G,
+                                                  SdpdFriction const& friction, double boltzmann, double dt) {
+  PairBath const bath(boltzmann, a.caloric.T, b.caloric.T, a.caloric.inverse_C, b.caloric.inverse_C);
+  auto const [par, perp] = bath.step(friction.par(chi), friction.perp(chi), friction.par_is_twice_perp(), dt);
   Vec3 const v = a.p - b.p;
   double const along =
       ((par.decay - perp.decay) * dot(r, v) + (par.kick - perp.kick) * dot(r, G)) * inverse_r2;
@@ -49,18 +49,16 @@ inline void prepare(std::span<Pair const> pairs, NoiseSource const& source, std:
   double const heat = -0.125 * dot(dv, 2 * v + dv);
   a.p += 0.5 * dv, b.p -= 0.5 * dv;
   a.eps += heat, b.eps += heat;
+  a.caloric.heat(heat), b.caloric.heat(heat);
 }
 
-/// Renews a particle's caloric expansion when its energy has left the reach of it. Returns false when the
-/// energy has no temperature > 0.
+/// Begins a new caloric expansion at the particle's energy. Throws PhysicsError when that has no temperature
+/// > 0.
 template <class S>
-bool renew_caloric(S const& system, FluctuatingParticle& particle, double rho) {
-  if (particle.caloric.reaches(particle.eps)) [[likely]]
-    return particle.caloric.temperature(particle.eps) > 0;
+void renew_caloric(S const& system, FluctuatingParticle& particle, double rho) {
   auto const at = system.eos.at(rho);
-  double const T = at.temperature_from_energy(particle.eps, particle.caloric.T0);
-  particle.caloric = at.caloric(particle.eps, T);
-  return T > 0;
+  double const T = at.temperature_from_energy(particle.eps, particle.caloric.T_start);
+  particle.caloric = at.caloric(T);
 }
 
 /// The pairs of one cell pair in turn. Reports to `failure` and stops at the first internal energy that
@@ -69,32 +67,33 @@ template <class S>
 void fluctuate_task(S& system, std::size_t task, NoiseSource const& source, double dt, Failure& failure) {
   auto& work = system.scratch.fluctuating;
   auto const& rho = system.particles.rho;
-  auto const pairs = std::as_const(system.neighbours).pairs(task);
-  auto complain = [&](Index i, std::string_view cause) {
-    failure.report(task,
-                   fmt::format("{}: fluctuation and dissipation (SSA) took its internal energy to {:.6g} "
-                               "(in K k_B T): {}; take a shorter time step or larger particles",
-                               system.where(i), work[i].eps, cause));
+  auto const pairs = system.neighbours.pairs(task);
+  auto renew = [&](Index i) {
+    try {
+      renew_caloric(system, work[i], rho[i]);
+      return true;
+    } catch (std::exception const& error) {
+      failure.report(task,
+                     fmt::format("{}: fluctuation and dissipation (SSA) took its internal energy to {:.6g} "
+                                 "(in K k_B T): {}; take a shorter time step or larger particles",
+                                 system.where(i), work[i].eps, error.what()));
+      return false;
+    }
   };
   PairGroup group;
   for (std::size_t begin = 0; begin < pairs.size(); begin += noise_lanes) {
-    auto const members = pairs.subspan(begin, std::min<std::size_t>(noise_lanes, pairs.size() - begin));
-    prepare(members, source, system.particles.id, system.scratch.inverse_rho, group);
-    for (std::size_t lane = 0; lane < members.size(); ++lane) {
-      auto const& [i, j, r, F] = members[lane];
+    prepare(pairs, begin, source, system.particles.id, system.scratch.inverse_rho, group);
+    std::size_t const count = std::min<std::size_t>(noise_lanes, pairs.size() - begin);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      Index const i = pairs.i[begin + lane], j = pairs.j[begin + lane];
       Vec3 const G{group.noise.x[lane], group.noise.y[lane], group.noise.z[lane]};
-      fluctuate_pair(work[i], work[j], r, group.inverse_r2[lane], group.chi[lane], G, system.friction,
-                     system.boltzmann, dt);
-      Index at_fault = i;
-      try {
-        if (renew_caloric(system, work[i], rho[i]) && (at_fault = j, renew_caloric(system, work[j], rho[j])))
-            [[likely]]
-          continue;
-        complain(at_fault, "it is negative or not a number");
-      } catch (std::exception const& error) {
-        complain(at_fault, error.what());
-      }
-      return;
+      fluctuate_pair(work[i], work[j], pairs.r(begin + lane), group.inverse_r2[lane], group.chi[lane], G,
+                     system.friction, system.boltzmann, dt);
+      bool const i_in_reach = work[i].caloric.in_reach(), j_in_reach = work[j].caloric.in_reach();
+      if (i_in_reach && j_in_reach) [[likely]]
+        continue;
+      if ((!i_in_reach && !renew(i)) || (!j_in_reach && !renew(j)))
+        return;
     }
   }
 }
@@ -124,7 +123,7 @@ void fluctuate_ssa(S& system, double dt) {
   for (std::size_t i = 0; i < n; ++i) {
     particles.p[i] = work[i].p;
     particles.eps[i] = work[i].eps;
-    particles.T[i] = work[i].caloric.temperature(work[i].eps);
+    particles.T[i] = work[i].caloric.T;
   }
 }
 

@@ -188,8 +188,8 @@ TEST(FluctuationAndDissipation, HasTemperaturesAsGoodAsAnInversionPerPair) {
 // Pairs are keyed by ids and turned from the smaller to the larger one: exchanging the two partners is no
 // change.
 TEST(FluctuationAndDissipation, DoesNotKnowWhichPartnerComesFirst) {
-  FluctuatingParticle a{{0.1, -0.2, 0.3}, 1.2, {1.2, 1.0, 0.7, 0.05}},
-      b{{-0.3, 0.1, 0.2}, 1.1, {1.1, 0.9, 0.6, 0.02}};
+  FluctuatingParticle a{{0.1, -0.2, 0.3}, 1.2, {1.0, 0.7, 0.05, 1.0}},
+      b{{-0.3, 0.1, 0.2}, 1.1, {0.9, 0.6, 0.02, 0.9}};
   auto a2 = a, b2 = b;
   SdpdFriction const friction(0.4, 0.1);
   Vec3 const r{0.5, -0.4, 1.1}, G{0.3, 1.2, -0.8};
