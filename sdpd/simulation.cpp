@@ -9,25 +9,8 @@ namespace {
 
 /// Skin of the neighbour lists, from the rms step of a particle, dt sqrt(3/K): fast particles want a wide
 /// skin, slow ones a narrow one. The bounds and the factor were found by timing K = 10 ... 10000.
-double default_skin(SimulationSettings const& s) {
-  return std::clamp(8 * s.dt * std::sqrt(3 / s.K), 0.2, 0.7);
-}
-
-void validate(SimulationSettings const& s) {
-  require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
-  require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
-  bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
-  require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
-          ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
-                : "must be >= 1");
-  require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
-  require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
-  require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
-  require(s.threads >= 1, "threads", s.threads, "must be >= 1");
-  require(s.disorder >= 0 && s.disorder <= 0.5, "disorder", s.disorder,
-          "must lie in 0 ... 0.5 lattice spacings");
-  for (auto const n : s.lattice)
-    require(n >= 1, "particles along an edge", n, "must be >= 1");
+double skin_of(SimulationSettings const& s) {
+  return s.skin > 0 ? s.skin : std::clamp(8 * s.dt * std::sqrt(3 / s.K), 0.2, 0.7);
 }
 
 std::size_t particle_count(SimulationSettings const& s) {
@@ -77,7 +60,7 @@ std::unique_ptr<Simulation::Engine> build(SimulationSettings const& s, Eos const
       .eos = ParticleEos<Eos>(eos, units, share),
       .kernel = Kernel(h),
       .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
-      .neighbours = Neighbours(box, h, s.skin > 0 ? s.skin : default_skin(s), s.threads),
+      .neighbours = Neighbours(box, h, skin_of(s), s.threads),
       .particles = {},
       .boltzmann = 1 / s.K,
       .seed = s.seed,
@@ -113,6 +96,27 @@ MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
 
 } // namespace
 
+void check(SimulationSettings const& s) {
+  require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
+  require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
+  bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
+  require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
+          ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
+                : "must be >= 1");
+  require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
+  require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
+  require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
+  require(s.threads >= 1, "threads", s.threads, "must be >= 1");
+  require(s.disorder >= 0 && s.disorder <= 0.5, "disorder", s.disorder,
+          "must lie in 0 ... 0.5 lattice spacings");
+  for (auto const n : s.lattice)
+    require(n >= 1, "particles along an edge", n, "must be >= 1");
+  auto const units = s.units();
+  SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity());
+  Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
+  CellGrid(box, s.h_factor + skin_of(s));
+}
+
 ReducedUnits SimulationSettings::units() const {
   return std::visit(
       [this](auto const& model) {
@@ -126,7 +130,7 @@ ReducedUnits SimulationSettings::units() const {
 }
 
 Simulation::Simulation(SimulationSettings const& settings) : units_(settings.units()), dt_(settings.dt) {
-  validate(settings);
+  check(settings);
   engine_ = std::visit(
       [&](auto const& eos) {
         return settings.kernel == KernelKind::cubic ? build<CubicKernel>(settings, eos)

@@ -33,6 +33,9 @@ struct SimulationSettings {
   ReducedUnits units() const;
 };
 
+/// Throws InputError that names the quantity that is out of bounds.
+void check(SimulationSettings const& settings);
+
 /// All that a later run needs to go on bit for bit; particles in the order of memory.
 struct Checkpoint {
   std::uint64_t step = 0;

@@ -1,6 +1,8 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/scene/scene.hpp"
+#include "workflows/sdpd/cost_estimate.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -13,21 +15,33 @@ struct Options {
   bool keys = false;
 };
 
-Result check(Options const& options) {
+Result check(Options const& options, Context const& context) {
   if (options.keys)
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
-  auto const resolved = resolved_toml(load_scene(options.scene, options.overrides));
-  return {.json = {{"scene", options.scene}, {"valid", true}, {"resolved", resolved}},
-          .text = resolved,
-          .complaint = ""};
+  Scene const scene = load_scene(options.scene, options.overrides);
+  auto const settings = settings_of(scene, context.options.threads.value_or(available_threads()));
+  sdpd::check(settings);
+  auto const cost = estimate_cost(scene, settings);
+  auto const resolved = resolved_toml(scene);
+  Result result;
+  result.json = {{"scene", options.scene},
+                 {"valid", true},
+                 {"resolved", resolved},
+                 {"estimated_neighbours", cost.neighbours},
+                 {"estimated_time_s", cost.seconds},
+                 {"estimated_memory_bytes", cost.bytes}};
+  result.text = resolved +
+                fmt::format("\n# about {} on {} thread(s), {:.3g} MB; {:.0f} neighbours a particle",
+                            duration_text(cost.seconds), settings.threads, cost.bytes / 1e6, cost.neighbours);
+  return result;
 }
 
 } // namespace
 
 Command check_command() {
   return {.name = "check",
-          .summary = "Validate a scene and print it as resolved; runs nothing",
+          .summary = "Validate a scene, print it as resolved and estimate its cost; runs nothing",
           .example = "mesobridge check workflows/scenes/argon-1000K.toml --set particles.K=1000",
           .declare = [](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
@@ -37,7 +51,7 @@ Command check_command() {
                 ->expected(1)
                 ->take_all();
             app.add_flag("--keys", options->keys, "Explain all keys of a scene");
-            return [options](Context&) { return check(*options); };
+            return [options](Context& context) { return check(*options, context); };
           }};
 }
 

@@ -16,8 +16,8 @@ nav { font-size: 14px; margin: 24px 0 0; color: var(--soft); }
 nav a { color: var(--accent); text-decoration: none; margin-right: 16px; white-space: nowrap; }
 nav a:hover { text-decoration: underline; }
 figure { margin: 24px 0; }
-.drawings { display: flex; flex-wrap: wrap; gap: 12px; justify-content: center; }
-.drawings > div { flex: 1 1 300px; min-width: 0; }
+.drawings { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 420px), 1fr)); gap: 12px; }
+.drawings > div { min-width: 0; }
 .drawings svg { display: block; width: 100%; height: auto; }
 figcaption, caption { font-size: 14px; color: var(--soft); text-align: left; margin-top: 8px; }
 caption { caption-side: bottom; padding-top: 8px; }

@@ -24,6 +24,9 @@ class Run {
         every_instant_(std::max<std::int64_t>(1, scene.run.steps / instants)) {}
 
   RunResult carry_out() {
+    require(scene_.run.steps >= 32 * scene_.run.sample_every, "run.steps", scene_.run.steps,
+            fmt::format("must be at least 32 run.sample_every = {}, or no errors can be estimated",
+                        32 * scene_.run.sample_every));
     if (options_.resume)
       resume();
     else

@@ -1,0 +1,67 @@
+#include "sdpd/pair/sdpd_friction.hpp"
+#include "sdpd/random.hpp"
+#include "sdpd_fixtures.hpp"
+#include <benchmark/benchmark.h>
+
+namespace mesobridge::sdpd {
+namespace {
+
+void gaussian_triples(benchmark::State& state) {
+  GaussianLanes lanes;
+  std::uint32_t a[noise_lanes], b[noise_lanes];
+  for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+    a[lane] = lane, b[lane] = 1000 + lane;
+  NoiseSource const source(1, Stream::fluctuation, 7);
+  for (auto _ : state) {
+    gaussians(source, a, b, lanes);
+    benchmark::DoNotOptimize(lanes);
+    ++a[0];
+  }
+  state.SetItemsProcessed(state.iterations() * noise_lanes);
+}
+BENCHMARK(gaussian_triples);
+
+void gaussian_triples_by_the_library(benchmark::State& state) {
+  NoiseSource const source(1, Stream::fluctuation, 7);
+  std::uint32_t id = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(gaussians_reference(source, ++id, 5));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(gaussian_triples_by_the_library);
+
+void ornstein_uhlenbeck(benchmark::State& state) {
+  double T = 1;
+  for (auto _ : state) {
+    PairBath const bath(0.01, T, 1.1, 0.7, 0.6);
+    benchmark::DoNotOptimize(bath.step(0.2, 0.1, true, 0.05));
+    T += 1e-9;
+  }
+}
+BENCHMARK(ornstein_uhlenbeck);
+
+/// One whole step; the argument is the number of threads.
+void step(benchmark::State& state, SimulationSettings settings) {
+  settings.lattice = {20, 20, 20};
+  settings.disorder = 0.15;
+  settings.threads = static_cast<int>(state.range(0));
+  Simulation simulation(settings);
+  simulation.advance(20);
+  for (auto _ : state)
+    simulation.advance(1);
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(simulation.size())); // particle steps
+}
+BENCHMARK_CAPTURE(step, ideal_gas, ideal_gas(100, 0.1))
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, argon, argon(100, 0.05))
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace mesobridge::sdpd

@@ -1,0 +1,24 @@
+#include "workflows/sdpd/cost_estimate.hpp"
+#include <numbers>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr double ns_per_pair = 75;          // ideal gas; the LJ fluid takes a tenth more
+constexpr double bytes_per_particle = 450;  // state, forces, working memory
+constexpr double candidates_per_pair = 1.4; // the lists reach beyond the range by their skin
+constexpr double bytes_per_candidate = 48;
+
+} // namespace
+
+CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  double const h = settings.h_factor, neighbours = 4 * std::numbers::pi / 3 * h * h * h;
+  auto const particles = static_cast<double>(scene.particles.N);
+  double const pairs = particles * neighbours / 2;
+  auto const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);
+  return {.neighbours = neighbours,
+          .seconds = pairs * steps * ns_per_pair * 1e-9 / settings.threads,
+          .bytes = particles * bytes_per_particle + pairs * candidates_per_pair * bytes_per_candidate};
+}
+
+} // namespace mesobridge::workflows

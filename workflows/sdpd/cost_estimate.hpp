@@ -1,0 +1,18 @@
+#pragma once
+#include "sdpd/simulation.hpp"
+#include "workflows/scene/scene.hpp"
+
+namespace mesobridge::workflows {
+
+/// What a scene will take, before anything is run.
+struct CostEstimate {
+  double neighbours; ///< of a particle, (4 pi/3) h_factor^3
+  double seconds;
+  double bytes;
+};
+
+/// From the number of pairs: the time by the cost of a pair that `bench engine` finds on one core of the
+/// machines of 2026 (within a factor of two elsewhere), the memory by what the engine stores.
+CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& settings);
+
+} // namespace mesobridge::workflows
