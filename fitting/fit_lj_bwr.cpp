@@ -1,4 +1,5 @@
 #include "fitting/fit_lj_bwr.hpp"
+#include "fitting/eos/kolafa_nezbeda.hpp"
 #include "fitting/held_out.hpp"
 #include "fitting/lj_bwr_design.hpp"
 #include "fitting/lj_bwr_problem.hpp"
@@ -159,6 +160,23 @@ Physical strengthen_until_stable(Problem const& problem, double width, LjRegion 
   }
 }
 
+struct State {
+  double U, P;
+};
+
+/// `reference(rho, T)` returns a State.
+template <class Reference>
+LjBwrFit::Difference largest_difference(LjBwr const& eos, LjRegion const& region, Reference&& reference) {
+  LjBwrFit::Difference largest{0, 0};
+  for_each_state(region, 31, 31, [&](double rho, double T) {
+    auto const fitted = eos.isochore(rho);
+    auto const [U, P] = reference(rho, T);
+    largest.P = std::max(largest.P, std::abs(fitted.pressure(T) - P) / std::max(std::abs(P), rho * T));
+    largest.U = std::max(largest.U, std::abs(fitted.energy(T) - U) / std::max(std::abs(U), T));
+  });
+  return largest;
+}
+
 void summarise_held_out(LjBwrFit& fit) {
   double inside = 0, sum = 0;
   for (auto const& point : fit.points) {
@@ -220,16 +238,20 @@ LjBwrFit::Prediction LjBwrFit::predict(double rho, double T) const {
           .P_se = (rows.P * covariance_factor).norm()};
 }
 
-LjBwrFit::PublishedDifference LjBwrFit::difference_from_published() const {
+LjBwrFit::Difference LjBwrFit::difference_from_published(double T_max) const {
   LjBwr const published(lj_bwr_1993);
-  PublishedDifference largest{0, 0};
-  for_each_state(sampled, 31, 31, [&](double rho, double T) {
-    auto const fitted = eos.isochore(rho), reference = published.isochore(rho);
-    double const P = reference.pressure(T), U = reference.energy(T);
-    largest.P = std::max(largest.P, std::abs(fitted.pressure(T) - P) / std::max(std::abs(P), rho * T));
-    largest.U = std::max(largest.U, std::abs(fitted.energy(T) - U) / std::max(std::abs(U), T));
+  auto const region =
+      LjRegion{sampled.rho_min, sampled.rho_max, sampled.T_min, std::min(sampled.T_max, T_max)};
+  return largest_difference(eos, region, [&](double rho, double T) {
+    auto const reference = published.isochore(rho);
+    return State{reference.energy(T), reference.pressure(T)};
   });
-  return largest;
+}
+
+LjBwrFit::Difference LjBwrFit::difference_from_kolafa_nezbeda() const {
+  return largest_difference(eos, sampled, [](double rho, double T) {
+    return State{1.5 * T + kolafa_nezbeda_energy(rho, T), kolafa_nezbeda_pressure(rho, T)};
+  });
 }
 
 } // namespace mesobridge::fitting

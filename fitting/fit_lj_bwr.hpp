@@ -4,6 +4,7 @@
 #include "fitting/eos/lj_bwr.hpp"
 #include "fitting/eos/lj_bwr_stability.hpp"
 #include "fitting/lj_bwr_problem.hpp"
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -68,12 +69,17 @@ struct LjBwrFit {
   };
   Prediction predict(double rho, double T) const;
 
-  /// Largest differences from the published equation over a grid of states in the sampled box: of P in units
-  /// of max(|P|, rho T), of U in units of max(|U|, T) (U crosses zero).
-  struct PublishedDifference {
+  /// Largest differences from another equation over a grid of states in the sampled box: of P in units of
+  /// max(|P|, rho T), of U in units of max(|U|, T) (U crosses zero).
+  struct Difference {
     double P, U;
   };
-  PublishedDifference difference_from_published() const;
+  /// From the published BWR set, up to T_max: its simulations ended at T* = published_T_max, above it
+  /// extrapolates.
+  Difference difference_from_published(double T_max = std::numeric_limits<double>::infinity()) const;
+  /// From the equation of Kolafa and Nezbeda (1994), which is valid up to T* = 20 and has no part in the fit.
+  Difference difference_from_kolafa_nezbeda() const;
+  static constexpr double published_T_max = 6;
 };
 
 /// Fits the 32 linear parameters to U and P of the grid together, whitened by their 2 x 2 covariances.

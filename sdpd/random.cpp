@@ -59,18 +59,21 @@ inline float unit_interval(std::uint32_t bits) {
 void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
                GaussianLanes& out) {
   for (int lane = 0; lane < noise_lanes; ++lane) {
-    std::uint32_t c0 = id_a[lane], c1 = id_b[lane], c2 = source.step_low, c3 = source.step_high_and_stream;
+    // 64-bit words that hold 32-bit numbers: the products then need no shuffling between lanes.
+    constexpr std::uint64_t low = 0xffffffffu;
+    std::uint64_t x0 = id_a[lane], x1 = id_b[lane], x2 = source.step_low, x3 = source.step_high_and_stream;
     std::uint32_t k0 = source.key[0], k1 = source.key[1];
 #pragma GCC unroll 10 // else the lanes do not vectorise
     for (int round = 0; round < Philox4x32::rounds; ++round) {
-      std::uint64_t const a = std::uint64_t{Philox4x32::multiplier_0} * c0;
-      std::uint64_t const b = std::uint64_t{Philox4x32::multiplier_1} * c2;
-      c0 = static_cast<std::uint32_t>(b >> 32) ^ c1 ^ k0;
-      c2 = static_cast<std::uint32_t>(a >> 32) ^ c3 ^ k1;
-      c1 = static_cast<std::uint32_t>(b);
-      c3 = static_cast<std::uint32_t>(a);
+      std::uint64_t const a = Philox4x32::multiplier_0 * x0, b = Philox4x32::multiplier_1 * x2;
+      x0 = (b >> 32) ^ x1 ^ k0;
+      x2 = (a >> 32) ^ x3 ^ k1;
+      x1 = b & low;
+      x3 = a & low;
       k0 += Philox4x32::weyl_0, k1 += Philox4x32::weyl_1;
     }
+    auto const c0 = static_cast<std::uint32_t>(x0), c1 = static_cast<std::uint32_t>(x1);
+    auto const c2 = static_cast<std::uint32_t>(x2), c3 = static_cast<std::uint32_t>(x3);
     float const radius_1 = std::sqrt(-2.0f * log_unit(unit_interval(c0)));
     float const radius_2 = std::sqrt(-2.0f * log_unit(unit_interval(c2)));
     SineCosine const first = sine_cosine(c1), second = sine_cosine(c3);

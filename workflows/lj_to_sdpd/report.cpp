@@ -24,16 +24,16 @@ bool is_one(cg::Estimate const& T) {
 }
 
 std::vector<VerdictLine> verdicts(ChainResults const& results) {
-  auto const independent = difference_to_kolafa_nezbeda(results.fit);
-  auto const published = difference_to_published(results.fit, results.fit.sampled.T_max);
-  auto const in_its_range = difference_to_published(results.fit, published_T_max);
+  auto const independent = results.fit.difference_from_kolafa_nezbeda();
+  auto const published = results.fit.difference_from_published();
+  auto const in_its_range = results.fit.difference_from_published(fitting::LjBwrFit::published_T_max);
   std::vector<VerdictLine> lines;
   lines.push_back(verdict(
       "States predicted by a fit without them, U and P within 3 standard errors",
       results.fit.held_out_fraction >= 0.9,
       fmt::format("{:.0f} % of {} states", 100 * results.fit.held_out_fraction, results.fit.points.size()),
       "90 % or more"));
-  auto add_difference = [&](std::string const& other, Difference const& d, bool asked) {
+  auto add_difference = [&](std::string const& other, fitting::LjBwrFit::Difference const& d, bool asked) {
     bool const close = d.P <= 0.01 && d.U <= 0.005;
     lines.push_back({"Fit and " + other,
                      fmt::format("P differs by at most {:.2f} %, U by {:.2f} %", 100 * d.P, 100 * d.U),

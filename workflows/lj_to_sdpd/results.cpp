@@ -1,6 +1,5 @@
 #include "workflows/lj_to_sdpd/results.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
-#include "fitting/eos/kolafa_nezbeda.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gsl/gsl_cdf.h>
@@ -31,11 +30,6 @@ void fit_power_law(DriftLaw& law) {
   law.prefactor = {C, C * widen * std::sqrt(var_offset), double(law.used)};
 }
 
-void widen(Difference& worst, fitting::LjBwrFitPoint const& p, double U, double P) {
-  worst.U = std::max(worst.U, std::abs(p.U_fit - U) / std::max(std::abs(U), p.T));
-  worst.P = std::max(worst.P, std::abs(p.P_fit / P - 1));
-}
-
 } // namespace
 
 std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs) {
@@ -62,22 +56,6 @@ GammaTest gamma_test(RunResult const& run) {
   auto const cdf = [shape](double x) { return gsl_cdf_gamma_P(x, shape, 1); };
   return {cg::kolmogorov_smirnov_distance(energies, cdf), cg::kolmogorov_smirnov_p(energies, cdf),
           energies.size()};
-}
-
-Difference difference_to_published(fitting::LjBwrFit const& fit, double T_max) {
-  Difference worst{0, 0};
-  for (auto const& p : fit.points)
-    if (p.T <= T_max)
-      widen(worst, p, p.U_published, p.P_published);
-  return worst;
-}
-
-Difference difference_to_kolafa_nezbeda(fitting::LjBwrFit const& fit) {
-  Difference worst{0, 0};
-  for (auto const& p : fit.points)
-    widen(worst, p, 1.5 * p.T + fitting::kolafa_nezbeda_energy(p.rho, p.T),
-          fitting::kolafa_nezbeda_pressure(p.rho, p.T));
-  return worst;
 }
 
 ThesisMeans thesis_means(double K) {

@@ -35,17 +35,6 @@ struct GammaTest {
 };
 GammaTest gamma_test(RunResult const& run);
 
-/// Largest relative differences of the fit, over the sampled states up to T_max, from an equation of state:
-/// of U in units of max(|U|, T) (U passes through zero), of P in units of P.
-struct Difference {
-  double U, P;
-};
-Difference difference_to_published(fitting::LjBwrFit const& fit, double T_max);
-Difference difference_to_kolafa_nezbeda(fitting::LjBwrFit const& fit);
-
-/// The simulations behind the published set of 1993 went up to this T*; above, it extrapolates.
-inline constexpr double published_T_max = 6;
-
 /// The thesis's Table 5.1 at size K: means of energy [k_B T per molecule], density [kg/m^3], pressure [GPa].
 struct ThesisMeans {
   double energy, density, pressure;

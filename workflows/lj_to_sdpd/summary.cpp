@@ -19,12 +19,13 @@ Json chain_summary(ChainResults const& results) {
   Json json;
   json["md"] = {{"settings", results.md_description}, {"states", state_grid_json(results.grid)}};
   json["fit"] = fit_json(results.fit);
-  auto put_difference = [&](std::string const& name, Difference const& difference) {
-    json["fit"]["largest_relative_difference_to_" + name] = {{"U", difference.U}, {"P", difference.P}};
+  auto put_difference = [&](std::string const& name, fitting::LjBwrFit::Difference const& difference) {
+    json["fit"]["largest_relative_difference_from_" + name] = {{"U", difference.U}, {"P", difference.P}};
   };
-  put_difference("published", difference_to_published(results.fit, results.fit.sampled.T_max));
-  put_difference("published_in_its_range", difference_to_published(results.fit, published_T_max));
-  put_difference("kolafa_nezbeda", difference_to_kolafa_nezbeda(results.fit));
+  put_difference("published", results.fit.difference_from_published());
+  put_difference("published_in_its_range",
+                 results.fit.difference_from_published(fitting::LjBwrFit::published_T_max));
+  put_difference("kolafa_nezbeda", results.fit.difference_from_kolafa_nezbeda());
   json["sdpd"] = {{"fluid", runs_json(results.fluid)},
                   {"published", runs_json(results.published)},
                   {"ideal_gas", runs_json(results.ideal)},

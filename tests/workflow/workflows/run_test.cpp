@@ -23,7 +23,7 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
   std::vector<std::string> words{
       MESOBRIDGE_PROGRAM, "run",    MESOBRIDGE_SOURCE_DIR "/workflows/scenes/argon-1000K.toml", "-o",
       directory.string(), "--quiet"};
-  for (std::string const& set :
+  for (char const* set :
        {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
         "run.trajectory_every=100", "run.checkpoint_every=150"})
     words.insert(words.end(), {"--set", set});
