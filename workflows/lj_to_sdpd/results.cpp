@@ -11,7 +11,7 @@ namespace {
 void fit_power_law(DriftLaw& law) {
   std::vector<double> x, y, weight;
   for (std::size_t k = 0; k < law.dt.size(); ++k)
-    if (law.rate[k] > 3 * law.se[k]) {
+    if (law.rate[k] > 2 * law.se[k]) {
       x.push_back(std::log(law.dt[k])), y.push_back(std::log(law.rate[k]));
       // Beyond its own error a rate need not lie on the law to better than some percent.
       double const relative = std::hypot(law.se[k] / law.rate[k], 0.05);

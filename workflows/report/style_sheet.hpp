@@ -12,7 +12,7 @@ main { max-width: 980px; margin: 0 auto; padding: 40px 24px 64px; }
 h1 { font-size: 30px; line-height: 1.2; margin: 0 0 8px; letter-spacing: -0.01em; }
 h2 { font-size: 21px; margin: 48px 0 12px; padding-top: 16px; border-top: 1px solid var(--line); }
 .lead { font-size: 18px; color: var(--soft); margin: 0 0 24px; }
-nav { font-size: 14px; margin: 24px 0 0; color: var(--soft); }
+nav { display: flex; flex-wrap: wrap; font-size: 14px; margin: 24px 0 0; color: var(--soft); }
 nav a { color: var(--accent); text-decoration: none; margin-right: 16px; white-space: nowrap; }
 nav a:hover { text-decoration: underline; }
 figure { margin: 24px 0; }
