@@ -129,7 +129,8 @@ ReducedUnits SimulationSettings::units() const {
       eos);
 }
 
-Simulation::Simulation(SimulationSettings const& settings) : units_(settings.units()), dt_(settings.dt) {
+Simulation::Simulation(SimulationSettings const& settings)
+    : units_(settings.units()), dt_(settings.dt), seed_(settings.seed) {
   check(settings);
   engine_ = std::visit(
       [&](auto const& eos) {
@@ -194,6 +195,19 @@ void Simulation::scale_momenta(double factor) {
     p *= factor;
 }
 
+void Simulation::draw_temperatures() {
+  auto& particles = engine_->particles();
+  std::fill(particles.T.begin(), particles.T.end(), 1.0);
+  if (units_.K >= 50) {
+    auto const C = engine_->heat_capacities();
+    NoiseSource const source(seed_, Stream::initial_energies, engine_->step());
+    for (std::size_t i = 0; i < particles.size(); ++i) // C counts in K k_B
+      particles.T[i] += std::sqrt(1 / (units_.K * C[i])) * gaussians_reference(source, particles.id[i], 0)[0];
+  }
+  engine_->set_energies_from_temperatures();
+  engine_->refresh();
+}
+
 double Simulation::heat_capacity() const {
   double sum = 0;
   for (double const C : engine_->heat_capacities())
@@ -245,6 +259,10 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
     // directly while the disorder of the start decays.
     if (share < 0.5)
       simulation.scale_momenta(1 / std::sqrt(mean.T_kin));
+    // While the structure settles, densities change at constant entropies and leave every particle with a
+    // temperature of its own, which large particles would keep for very long.
+    if (share < 0.25)
+      simulation.draw_temperatures();
   }
 }
 

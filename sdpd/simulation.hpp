@@ -79,6 +79,10 @@ class Simulation {
   /// Total heat capacity dE/dT, internal and kinetic, in k_B.
   double heat_capacity() const;
   void scale_momenta(double factor);
+  /// Draws every particle's temperature anew from its equilibrium law at its density, a Gaussian of relative
+  /// width (k_B/C)^(1/2) about the set one (from K = 50 on; smaller particles, which settle fast, get the set
+  /// temperature).
+  void draw_temperatures();
   void set_time_step(double dt);
   double time_step() const { return dt_; }
 
@@ -90,6 +94,7 @@ class Simulation {
  private:
   ReducedUnits units_;
   double dt_;
+  std::uint64_t seed_;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -111,6 +111,8 @@ Plot density_against_size(ChainResults const& results) {
 Plot variances_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
   auto plot = size_plot("varianceK", "Variances over the particles", "variance");
+  plot.panels[0].legend = Legend::outside;
+  plot.width = 700;
   plot.panels[0].y.logarithmic = true;
   auto add = [&](std::string const& label, int colour, auto estimate, double ThesisMeans::*member) {
     plot.panels[0].series.push_back(against_size(label, runs, colour, estimate));
