@@ -23,7 +23,6 @@ class CellGrid {
 
   std::size_t cell_count() const { return std::size_t{n_[0]} * n_[1] * n_[2]; }
   Index cell_of(Vec3 const& q_wrapped) const;
-  std::array<Index, 3> dimensions() const { return n_; }
 
   /// The cell pairs, phase after phase.
   std::span<CellPair const> pairs() const { return pairs_; }

@@ -160,11 +160,6 @@ std::uint64_t Simulation::list_renewals() const {
   return engine_->renewals();
 }
 
-void Simulation::set_time_step(double dt) {
-  require(dt > 0 && std::isfinite(dt), "time step dt", dt, "must be > 0 and finite (reduced units)");
-  dt_ = dt;
-}
-
 double Simulation::neighbours() const {
   return 2.0 * static_cast<double>(engine_->neighbours().pair_count()) / static_cast<double>(size());
 }

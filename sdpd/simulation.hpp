@@ -83,8 +83,6 @@ class Simulation {
   /// width (k_B/C)^(1/2) about the set one (from K = 50 on; smaller particles, which settle fast, get the set
   /// temperature).
   void draw_temperatures();
-  void set_time_step(double dt);
-  double time_step() const { return dt_; }
 
   Checkpoint checkpoint() const;
   /// Throws InputError when the checkpoint does not belong to these settings.

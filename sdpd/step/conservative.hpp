@@ -87,6 +87,12 @@ void find_pairs_and_densities(S& system) {
   });
 }
 
+inline void set_entropy_and_pressure(Particles& particles, std::size_t i, auto const& at_density, double T) {
+  particles.T[i] = T;
+  particles.S[i] = at_density.entropy(T);
+  particles.P[i] = at_density.pressure(T);
+}
+
 /// T, eps and P of every particle from its entropy and its density.
 template <class S>
 void thermodynamics_from_entropy(S& system) {
@@ -101,28 +107,23 @@ void thermodynamics_from_entropy(S& system) {
   });
 }
 
-/// T, S and P of every particle from its internal energy and its density.
-template <class S>
-void thermodynamics_from_energy(S& system) {
-  auto& particles = system.particles;
-  for_each_particle(system, [&](std::size_t i) {
-    auto const at = system.eos.at(particles.rho[i]);
-    double const T = at.temperature_from_energy(particles.eps[i], particles.T[i]);
-    particles.T[i] = T;
-    particles.S[i] = at.entropy(T);
-    particles.P[i] = at.pressure(T);
-  });
-}
-
 /// S and P of every particle from its temperature and its density, energies untouched: what a restart needs
 /// to find the very numbers that the stopped run held.
 template <class S>
 void thermodynamics_from_temperature(S& system) {
   auto& particles = system.particles;
   for_each_particle(system, [&](std::size_t i) {
+    set_entropy_and_pressure(particles, i, system.eos.at(particles.rho[i]), particles.T[i]);
+  });
+}
+
+/// T, S and P of every particle from its internal energy and its density.
+template <class S>
+void thermodynamics_from_energy(S& system) {
+  auto& particles = system.particles;
+  for_each_particle(system, [&](std::size_t i) {
     auto const at = system.eos.at(particles.rho[i]);
-    particles.S[i] = at.entropy(particles.T[i]);
-    particles.P[i] = at.pressure(particles.T[i]);
+    set_entropy_and_pressure(particles, i, at, at.temperature_from_energy(particles.eps[i], particles.T[i]));
   });
 }
 

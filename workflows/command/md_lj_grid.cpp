@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_grid.hpp"
 #include "workflows/ranks.hpp"
 #include <CLI/CLI.hpp>
@@ -19,9 +20,7 @@ struct Options {
 };
 
 LjGridJob job_of(Options const& options, Context const& context) {
-  auto const preset = options.preset == "quick"      ? md::Preset::quick
-                      : options.preset == "standard" ? md::Preset::standard
-                                                     : md::Preset::paper;
+  auto const preset = preset_of(options.preset);
   int const edge = static_cast<int>(std::lround(std::sqrt(md::default_lj_grid(preset).size())));
   LjGridJob job{.states = md::lj_grid(options.region, options.densities.value_or(edge),
                                       options.temperatures.value_or(edge)),

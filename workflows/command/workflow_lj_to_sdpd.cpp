@@ -1,4 +1,5 @@
 #include "workflows/command/list.hpp"
+#include "workflows/lj/preset.hpp"
 #include "workflows/lj_to_sdpd/chain.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
@@ -6,10 +7,6 @@
 
 namespace mesobridge::workflows {
 namespace {
-
-md::Preset preset_of(std::string const& name) {
-  return name == "quick" ? md::Preset::quick : name == "standard" ? md::Preset::standard : md::Preset::paper;
-}
 
 Result lj_to_sdpd(std::string const& preset, Context const& context) {
   auto const directory = context.output_directory("out/lj-to-sdpd");
