@@ -9,24 +9,24 @@
 namespace mesobridge::sdpd {
 
 /// Collects what went wrong inside a parallel loop, where exceptions cannot leave. Of several failures the
-/// one with the smallest rank is kept, so that the message does not depend on the threads.
+/// one of the particle with the smallest id is kept, so that the message does not depend on the threads.
 class Failure {
  public:
-  void report(std::uint64_t rank, std::string message) {
+  void report(std::uint32_t id, std::string message) {
     std::lock_guard const lock(mutex_);
-    if (rank < rank_) {
-      rank_ = rank;
+    if (id < id_) {
+      id_ = id;
       message_ = std::move(message);
     }
   }
-  void throw_if_any() const {
-    if (rank_ != std::numeric_limits<std::uint64_t>::max())
-      throw PhysicsError(message_);
-  }
+  bool any() const { return id_ != none; }
+  std::uint32_t id() const { return static_cast<std::uint32_t>(id_); }
+  std::string const& message() const { return message_; }
 
  private:
+  static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   std::mutex mutex_;
-  std::uint64_t rank_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t id_ = none;
   std::string message_;
 };
 

@@ -1,31 +1,38 @@
 #pragma once
-#include "sdpd/barrier.hpp"
 #include "sdpd/cells.hpp"
-#include <omp.h>
-#include <optional>
+#include <span>
 
 namespace mesobridge::sdpd {
 
-/// Two particles that may come within the interaction's range before the lists are renewed.
-struct Candidate {
-  Index i, j;
+/// Two particles of a block by their places in it. The eight cells follow each other, and a block's pairs are
+/// worked on in a copy of its particles: small, close together, in one periodic image.
+struct LocalPair {
+  std::uint16_t i, j;
 };
+static_assert(sizeof(LocalPair) == 4);
 
-/// Pairs of particles within the range now, as a structure of arrays: the separations r = q_i - q_j of the
-/// nearest images and the kernel's F(|r|).
-struct Pairs {
-  std::span<Index> i, j;
-  std::span<double> x, y, z, F;
-
-  std::size_t size() const { return i.size(); }
-  Vec3 r(std::size_t k) const { return {x[k], y[k], z[k]}; }
+/// One cell's particles as members of a block: they are begin ... end-1 in memory, moved by `shift`.
+struct Members {
+  Index begin, end;
+  Vec3 shift;
 };
+using BlockMembers = std::array<Members, 8>;
 
-/// Lists of pairs by cell pair. Candidates are found when the lists are renewed; the pairs in range are
-/// picked from them each time that the particles have moved. Within a cell pair the order runs along
-/// diagonals, (0,0) (1,1) ... (0,1) (1,2) ..., so that a pair shares no particle with the next: a processor
-/// can then overlap them. Which pairs there are, and their order, depends on the positions at the last
-/// renewal and now, on nothing else.
+inline std::size_t size(BlockMembers const& members) {
+  std::size_t n = 0;
+  for (auto const& cell : members)
+    n += cell.end - cell.begin;
+  return n;
+}
+
+/// Where the particle at place `local` of a block is in memory.
+Index global_index(BlockMembers const& members, std::size_t local);
+
+/// Lists of pairs by block. Candidates, which may come within the interaction's range before the lists are
+/// renewed, are found when they are; the pairs in range are picked from them each time that the particles
+/// have moved. A block's pairs are ordered in matchings: within a matching no particle occurs twice, so that
+/// several of its pairs can be worked on at once, and the result is that of one after the other. Which pairs
+/// there are, and their order, depends on the positions at the last renewal and now, on nothing else.
 class Neighbours {
  public:
   Neighbours(Box box, double range, double skin, int threads);
@@ -36,66 +43,50 @@ class Neighbours {
   /// True when some particle has moved by more than half the skin since the last renewal (or there was none).
   bool outdated(std::span<Vec3 const> q) const;
 
-  /// Wraps the particles into the box, sorts them by (cell, id) and finds the candidates.
+  /// Wraps the particles into the box, sorts them by (cell, id) and finds the candidates. Throws PhysicsError
+  /// when more than 65534 particles crowd into one block.
   void renew(Particles& particles);
 
   /// Positions at the last renewal, in today's order: with them a restart renews the same lists.
   std::span<Vec3 const> positions_at_renewal() const { return q_renewed_; }
 
-  std::span<Candidate const> candidates(std::size_t task) const { return candidates_[task]; }
-  Vec3 const& shift(std::size_t task) const { return grid_.pairs()[task].shift; }
+  BlockMembers members(std::size_t block) const;
+  std::size_t largest_block() const { return largest_block_; }
 
-  /// Room for the pairs in range of one cell pair; set_pair_count says how much of it is in use.
-  Pairs room(std::size_t task) { return part(task, candidates_[task].size()); }
-  void set_pair_count(std::size_t task, std::size_t count) { pair_count_[task] = count; }
-  Pairs pairs(std::size_t task) { return part(task, pair_count_[task]); }
+  std::span<LocalPair const> candidates(std::size_t block) const { return lists_[block].candidates; }
+  /// Where each matching of the candidates ends.
+  std::span<std::uint32_t const> candidate_ends(std::size_t block) const {
+    return lists_[block].candidate_ends;
+  }
+
+  /// The pairs in range, and where each of their matchings ends. The first has room for all candidates and
+  /// lane_count more; set_pair_count says how much of it is in use.
+  std::span<LocalPair> pair_room(std::size_t block) { return lists_[block].pairs; }
+  std::span<std::uint32_t> pair_ends(std::size_t block) { return lists_[block].pair_ends; }
+  void set_pair_count(std::size_t block, std::size_t count) { lists_[block].pair_count = count; }
+  std::span<LocalPair const> pairs(std::size_t block) const {
+    return std::span(lists_[block].pairs).first(lists_[block].pair_count);
+  }
+  std::span<std::uint32_t const> pair_ends(std::size_t block) const { return lists_[block].pair_ends; }
   std::size_t pair_count() const;
 
  private:
-  Pairs part(std::size_t task, std::size_t count) {
-    std::size_t const begin = room_begin_[task];
-    auto of = [begin, count](auto& array) { return std::span(array).subspan(begin, count); };
-    return {of(i_), of(j_), of(x_), of(y_), of(z_), of(F_)};
-  }
+  struct BlockLists {
+    std::vector<LocalPair> candidates, pairs;
+    std::vector<std::uint32_t> candidate_ends, pair_ends;
+    std::size_t pair_count = 0;
+  };
   void sort(Particles& particles);
-  void find_candidates(std::size_t task, std::span<Vec3 const> q);
+  void find_candidates(std::size_t block, std::span<Vec3 const> q);
 
   Box box_;
   double range_, skin_;
   int threads_;
   CellGrid grid_;
+  std::size_t largest_block_ = 0;
   std::vector<Index> cell_begin_;
   std::vector<Vec3> q_renewed_;
-  std::vector<std::vector<Candidate>> candidates_;
-  std::vector<std::size_t> room_begin_, pair_count_;
-  std::vector<Index> i_, j_;
-  std::vector<double> x_, y_, z_, F_;
+  std::vector<BlockLists> lists_;
 };
-
-/// Calls f(task) for every cell pair of the grid, phase after phase, on all threads. Only for functions that
-/// write to the particles of their own two cells.
-template <class F>
-void for_each_task(CellGrid const& grid, int threads, F&& f) {
-  auto const begin = grid.phase_begin();
-  if (threads == 1) { // the phases follow each other in the list
-    for (std::size_t task = 0; task < grid.pairs().size(); ++task)
-      f(task);
-    return;
-  }
-  std::optional<Barrier> barrier;
-#pragma omp parallel num_threads(threads)
-  {
-#pragma omp single // ends with a barrier of its own: all see the new one
-    barrier.emplace(omp_get_num_threads());
-    auto const team = static_cast<std::size_t>(omp_get_num_threads());
-    auto const me = static_cast<std::size_t>(omp_get_thread_num());
-    for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
-      std::size_t const first = begin[phase], count = begin[phase + 1] - first;
-      for (std::size_t task = first + count * me / team; task < first + count * (me + 1) / team; ++task)
-        f(task);
-      barrier->wait();
-    }
-  }
-}
 
 } // namespace mesobridge::sdpd

@@ -1,33 +1,13 @@
 #pragma once
-#include "fitting/eos/concept.hpp"
+#include "fitting/eos/ideal_gas.hpp"
+#include "sdpd/caloric.hpp"
 #include "sdpd/units.hpp"
 
 namespace mesobridge::sdpd {
 
-/// Temperature and heat capacity of a particle whose energy changes at fixed density, in small steps:
-///     T <- T + d (1/C + c d),  1/C <- 1/C + 2 c d,  c = -(dC/dT) / 2 C^3,
-/// the expansion to second order about the energy where `T_start` was exact. It is exact for a constant heat
-/// capacity; otherwise its relative error is of third order in (T - T_start)/T_start, and the engine renews
-/// it (one warm Newton inversion) when that grows past `caloric_reach`. So two multiplications take the place
-/// of an inversion of the equation of state for each pair. Energy is conserved whatever the error is, because
-/// the energies are the variables; only the friction feels it, through T.
-struct Caloric {
-  double T, inverse_C, curvature, T_start;
-
-  void heat(double d) {
-    T += d * (inverse_C + curvature * d);
-    inverse_C += 2 * curvature * d;
-  }
-  /// False too when T is not a number, and when T <= 0.
-  bool in_reach() const;
-};
-
-/// Largest relative change of T that an expansion serves; T is then right to about 1e-5 for the LJ fluid.
-inline constexpr double caloric_reach = 0.03;
-
-inline bool Caloric::in_reach() const {
-  return std::abs(T - T_start) <= caloric_reach * T_start;
-}
+/// True for models whose heat capacity is the same everywhere: their caloric expansions are exact.
+template <class Eos>
+inline constexpr bool has_constant_heat_capacity = std::is_same_v<Eos, fitting::IdealGas>;
 
 /// The equation of state of one particle of size K in reduced units: S(eps, rho) = f m_K s(eps/(f m_K), rho).
 /// The share f is (K-1)/K for the ideal gas, whose centre of mass carries the rest of the K atoms' energy and
@@ -55,7 +35,10 @@ class ParticleEos {
     Caloric caloric(double T) const {
       double const c = isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_;
       double const slope = isochore_.heat_capacity_slope(T * p_.T_unit_) * p_.T_unit_ / p_.s_unit_;
-      return {T, 1 / c, -0.5 * slope / (c * c * c), T};
+      return {.T_0 = T,
+              .inverse_C_0 = 1 / c,
+              .curvature = -0.5 * slope / (c * c * c),
+              .limit = has_constant_heat_capacity<Eos> ? T : caloric_reach * T};
     }
     double heat_capacity(double T) const { return isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_; }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "md/box.hpp"
-#include "sdpd/particle_eos.hpp"
+#include "sdpd/caloric.hpp"
 #include <cstdint>
 #include <vector>
 

@@ -27,7 +27,12 @@ struct Philox4x32 {
 };
 
 /// What a random number is for: streams never share a counter.
-enum class Stream : std::uint32_t { fluctuation = 0, initial_velocities = 1, initial_positions = 2, initial_energies = 3 };
+enum class Stream : std::uint32_t {
+  fluctuation = 0,
+  initial_velocities = 1,
+  initial_positions = 2,
+  initial_energies = 3
+};
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.
 struct NoiseSource {

@@ -1,7 +1,6 @@
 #include "sdpd/simulation.hpp"
-#include "sdpd/engine.hpp"
-#include "sdpd/kernel/cubic.hpp"
-#include "sdpd/kernel/lucy.hpp"
+#include "sdpd/random.hpp"
+#include "sdpd/scheme/ssa.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -10,7 +9,7 @@ namespace {
 /// Skin of the neighbour lists, from the rms step of a particle, dt sqrt(3/K): fast particles want a wide
 /// skin, slow ones a narrow one. The bounds and the factor were found by timing K = 10 ... 10000.
 double skin_of(SimulationSettings const& s) {
-  return s.skin > 0 ? s.skin : std::clamp(8 * s.dt * std::sqrt(3 / s.K), 0.2, 0.7);
+  return s.skin > 0 ? s.skin : std::clamp(20 * s.dt * std::sqrt(3 / s.K), 0.3, 0.7);
 }
 
 std::size_t particle_count(SimulationSettings const& s) {
@@ -49,32 +48,57 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
-template <class Kernel, class Eos>
-std::unique_ptr<Simulation::Engine> build(SimulationSettings const& s, Eos const& eos) {
+AnyKernel make_kernel(KernelKind kind, double h) {
+  return kind == KernelKind::cubic ? AnyKernel(CubicKernel(h)) : AnyKernel(LucyKernel(h));
+}
+
+std::unique_ptr<System> build(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
   Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
-  double const share = std::is_same_v<Eos, fitting::IdealGas> ? (s.K - 1) / s.K : 1.0;
   double const h = s.h_factor;
-  System<Eos, Kernel> system{
+  auto system = std::make_unique<System>(System{
       .box = box,
-      .eos = ParticleEos<Eos>(eos, units, share),
-      .kernel = Kernel(h),
+      .thermodynamics = make_thermodynamics(s.eos, units),
+      .kernel = make_kernel(s.kernel, h),
       .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
       .neighbours = Neighbours(box, h, skin_of(s), s.threads),
       .particles = {},
       .boltzmann = 1 / s.K,
       .seed = s.seed,
       .threads = s.threads,
-      .scratch = {},
-  };
-  system.particles.resize(particle_count(s));
-  place_on_lattice(system.particles, s);
-  draw_momenta(system.particles, system.boltzmann, s.seed);
-  std::fill(system.particles.T.begin(), system.particles.T.end(), 1.0);
-  auto engine = std::make_unique<EngineFor<Eos, Kernel>>(std::move(system));
-  engine->set_energies_from_temperatures();
-  engine->refresh();
-  return engine;
+      .block_virial = {},
+      .energy_gain = {},
+  });
+  system->particles.resize(particle_count(s));
+  place_on_lattice(system->particles, s);
+  draw_momenta(system->particles, system->boltzmann, s.seed);
+  std::fill(system->particles.T.begin(), system->particles.T.end(), 1.0);
+  return system;
+}
+
+/// Lists, densities, thermodynamics and forces from positions and energies.
+void refresh(System& system) {
+  refresh_lists(system);
+  find_pairs_and_densities(system);
+  thermodynamics_from_energy(system);
+  find_forces(system);
+}
+
+void set_energies_from_temperatures(System& system) {
+  refresh_lists(system);
+  find_pairs_and_densities(system);
+  Failure failure;
+  for_each_range(system, [&](Range range) {
+    system.thermodynamics->energy_from_temperature(system.particles, range, failure);
+  });
+  system.stop_at(failure);
+}
+
+std::vector<double> heat_capacities(System const& system) {
+  std::vector<double> C(system.size());
+  for (std::size_t i = 0; i < C.size(); ++i)
+    C[i] = system.thermodynamics->heat_capacity(system.particles.T[i], system.particles.rho[i]);
+  return C;
 }
 
 struct MeanTemperatures {
@@ -129,15 +153,11 @@ ReducedUnits SimulationSettings::units() const {
       eos);
 }
 
-Simulation::Simulation(SimulationSettings const& settings)
-    : units_(settings.units()), dt_(settings.dt), seed_(settings.seed) {
+Simulation::Simulation(SimulationSettings const& settings) : units_(settings.units()), dt_(settings.dt) {
   check(settings);
-  engine_ = std::visit(
-      [&](auto const& eos) {
-        return settings.kernel == KernelKind::cubic ? build<CubicKernel>(settings, eos)
-                                                    : build<LucyKernel>(settings, eos);
-      },
-      settings.eos);
+  system_ = build(settings);
+  set_energies_from_temperatures(*system_);
+  refresh(*system_);
 }
 
 Simulation::~Simulation() = default;
@@ -145,27 +165,28 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
-  engine_->advance(steps, dt_);
+  for (std::uint64_t k = 0; k < steps; ++k)
+    step_ssa(*system_, dt_);
 }
 Observation Simulation::observe() const {
-  return engine_->observe();
+  return sdpd::observe(system_->particles, system_->box, system_->virial, system_->boltzmann, system_->step);
 }
 Box const& Simulation::box() const {
-  return engine_->box();
+  return system_->box;
 }
 std::size_t Simulation::size() const {
-  return engine_->particles().size();
+  return system_->particles.size();
 }
 std::uint64_t Simulation::list_renewals() const {
-  return engine_->renewals();
+  return system_->renewals;
 }
 
 double Simulation::neighbours() const {
-  return 2.0 * static_cast<double>(engine_->neighbours().pair_count()) / static_cast<double>(size());
+  return 2.0 * static_cast<double>(system_->neighbours.pair_count()) / static_cast<double>(size());
 }
 
 Snapshot Simulation::snapshot() const {
-  auto const& particles = engine_->particles();
+  auto const& particles = system_->particles;
   std::size_t const n = particles.size();
   Snapshot s{std::vector<Vec3>(n),   std::vector<Vec3>(n),   std::vector<double>(n),
              std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
@@ -178,47 +199,47 @@ Snapshot Simulation::snapshot() const {
 }
 
 void Simulation::heat(double rise) {
-  auto const C = engine_->heat_capacities();
-  auto& eps = engine_->particles().eps;
+  auto const C = heat_capacities(*system_);
+  auto& eps = system_->particles.eps;
   for (std::size_t i = 0; i < eps.size(); ++i)
     eps[i] += C[i] * rise;
-  engine_->refresh();
+  refresh(*system_);
 }
 
 void Simulation::scale_momenta(double factor) {
-  for (auto& p : engine_->particles().p)
+  for (auto& p : system_->particles.p)
     p *= factor;
 }
 
 void Simulation::draw_temperatures() {
-  auto& particles = engine_->particles();
+  auto& particles = system_->particles;
   std::fill(particles.T.begin(), particles.T.end(), 1.0);
   if (units_.K >= 50) {
-    auto const C = engine_->heat_capacities();
-    NoiseSource const source(seed_, Stream::initial_energies, engine_->step());
+    auto const C = heat_capacities(*system_);
+    NoiseSource const source(system_->seed, Stream::initial_energies, system_->step);
     for (std::size_t i = 0; i < particles.size(); ++i) // C counts in K k_B
       particles.T[i] += std::sqrt(1 / (units_.K * C[i])) * gaussians_reference(source, particles.id[i], 0)[0];
   }
-  engine_->set_energies_from_temperatures();
-  engine_->refresh();
+  set_energies_from_temperatures(*system_);
+  refresh(*system_);
 }
 
 double Simulation::heat_capacity() const {
   double sum = 0;
-  for (double const C : engine_->heat_capacities())
+  for (double const C : heat_capacities(*system_))
     sum += C * units_.K; // reduced C counts in K k_B
   return sum + 1.5 * (static_cast<double>(size()) - 1);
 }
 
 Checkpoint Simulation::checkpoint() const {
-  auto const& particles = engine_->particles();
-  auto const renewed = engine_->neighbours().positions_at_renewal();
-  return {engine_->step(), particles.id,  particles.q, {renewed.begin(), renewed.end()},
-          particles.p,     particles.eps, particles.T};
+  auto const& particles = system_->particles;
+  auto const renewed = system_->neighbours.positions_at_renewal();
+  return {system_->step, particles.id,  particles.q, {renewed.begin(), renewed.end()},
+          particles.p,   particles.eps, particles.T};
 }
 
 void Simulation::restore(Checkpoint const& c) {
-  auto& particles = engine_->particles();
+  auto& particles = system_->particles;
   std::size_t const n = size();
   for (auto const length :
        {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size(), c.eps.size(), c.T.size()})
@@ -226,10 +247,12 @@ void Simulation::restore(Checkpoint const& c) {
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
   particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
   particles.q = c.q_at_renewal;
-  engine_->neighbours().renew(particles);
+  system_->neighbours.renew(particles);
   particles.q = c.q;
-  engine_->step() = c.step;
-  engine_->refresh_at_known_temperatures();
+  system_->step = c.step;
+  find_pairs_and_densities(*system_);
+  thermodynamics_from_temperature(*system_);
+  find_forces(*system_);
 }
 
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {

@@ -8,6 +8,8 @@
 
 namespace mesobridge::sdpd {
 
+struct System;
+
 enum class KernelKind { cubic, lucy };
 
 /// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the equation of state
@@ -88,12 +90,10 @@ class Simulation {
   /// Throws InputError when the checkpoint does not belong to these settings.
   void restore(Checkpoint const& checkpoint);
 
-  class Engine; ///< the templates behind it
  private:
   ReducedUnits units_;
   double dt_;
-  std::uint64_t seed_;
-  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<System> system_;
 };
 
 /// Brings a fresh simulation to equilibrium at its set temperature: runs of growing length, after each of

@@ -3,7 +3,8 @@
 
 namespace mesobridge::sdpd {
 
-/// Lucy's kernel with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r.
+/// Lucy's kernel with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r, for a number or
+/// for lanes of numbers.
 class LucyKernel {
  public:
   static constexpr char const* name = "lucy";
@@ -13,15 +14,17 @@ class LucyKernel {
         F_norm_(315 / (4 * std::numbers::pi * h * h * h * h * h)) {}
 
   /// Valid for 0 <= r <= h; units of 1/h^3.
-  double W(double r) const {
-    double const u = r * inv_h_;
-    return W_norm_ * (1 + 3 * u) * (1 - u) * (1 - u) * (1 - u);
+  template <class X>
+  X W(X const& r) const {
+    X const u = r * inv_h_;
+    return W_norm_ * (1.0 + 3.0 * u) * (1.0 - u) * (1.0 - u) * (1.0 - u);
   }
 
-  /// Valid for 0 <= r <= h; units of 1/h^5.
-  double F(double r) const {
-    double const u = r * inv_h_;
-    return F_norm_ * (1 - u) * (1 - u);
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5.
+  template <class X>
+  X F(X const& r, X const& /*inverse_r*/) const {
+    X const u = r * inv_h_;
+    return F_norm_ * (1.0 - u) * (1.0 - u);
   }
 
  private:

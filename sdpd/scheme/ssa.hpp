@@ -7,8 +7,7 @@ namespace mesobridge::sdpd {
 /// One step of Velocity Verlet at constant entropies, then Shardlow's splitting for fluctuation and
 /// dissipation (Lie-Trotter, as in the thesis, section 4.1). Before and after it, eps, S, T, P and f belong
 /// to the positions.
-template <class S>
-void step_ssa(S& system, double dt) {
+inline void step_ssa(System& system, double dt) {
   system.dt = dt;
   kick(system, dt / 2);
   drift(system, dt);

@@ -30,15 +30,19 @@ void gaussian_triples_by_the_library(benchmark::State& state) {
 }
 BENCHMARK(gaussian_triples_by_the_library);
 
+template <class X>
 void ornstein_uhlenbeck(benchmark::State& state) {
-  double T = 1;
+  X T = constant<X>(1);
+  X const other = constant<X>(1.1), inverse_C = constant<X>(0.7), a = constant<X>(0.2);
   for (auto _ : state) {
-    PairBath const bath(0.01, T, 1.1, 0.7, 0.6);
-    benchmark::DoNotOptimize(bath.step(0.2, 0.1, true, 0.05));
-    T += 1e-9;
+    PairBath<X> const bath(0.01, T, other, inverse_C, inverse_C);
+    benchmark::DoNotOptimize(bath.step(a, a, true, 0.05));
+    T += constant<X>(1e-6);
   }
+  state.SetItemsProcessed(state.iterations() * (std::is_same_v<X, double> ? 1 : lane_count)); // pairs
 }
-BENCHMARK(ornstein_uhlenbeck);
+BENCHMARK(ornstein_uhlenbeck<double>);
+BENCHMARK(ornstein_uhlenbeck<FloatLanes>);
 
 /// One whole step; the argument is the number of threads.
 void step(benchmark::State& state, SimulationSettings settings) {

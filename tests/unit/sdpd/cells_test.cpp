@@ -1,3 +1,4 @@
+#include "md/error.hpp"
 #include "sdpd/cells.hpp"
 #include <gtest/gtest.h>
 #include <map>
@@ -14,25 +15,23 @@ TEST_P(CellGridOf, SharesNoCellWithinAPhase) {
   std::size_t checked = 0;
   for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
     std::set<Index> seen;
-    for (std::size_t k = begin[phase]; k < begin[phase + 1]; ++k, ++checked) {
-      auto const& pair = grid.pairs()[k];
-      EXPECT_TRUE(seen.insert(pair.first).second);
-      if (pair.second != pair.first) {
-        EXPECT_TRUE(seen.insert(pair.second).second);
-      }
-    }
+    for (std::size_t k = begin[phase]; k < begin[phase + 1]; ++k, ++checked)
+      for (Index const cell : grid.blocks()[k].cell)
+        EXPECT_TRUE(seen.insert(cell).second);
   }
-  EXPECT_EQ(checked, 14 * grid.cell_count());
+  EXPECT_EQ(checked, grid.cell_count());
 }
 
 TEST_P(CellGridOf, VisitsEveryImageOfEveryNeighbourOnce) {
   CellGrid const grid(Box{GetParam()}, 1.0);
   std::map<std::tuple<Index, Index, double, double, double>, int> visits;
-  for (auto const& [a, b, s] : grid.pairs()) {
-    ++visits[{a, b, s.x, s.y, s.z}];
-    if (a != b)
-      ++visits[{b, a, -s.x, -s.y, -s.z}];
-  }
+  for (auto const& block : grid.blocks())
+    for (auto const& [a, b] : block_cell_pairs) {
+      Vec3 const s = block.shift[b] - block.shift[a];
+      ++visits[{block.cell[a], block.cell[b], s.x, s.y, s.z}];
+      if (a != b)
+        ++visits[{block.cell[b], block.cell[a], -s.x, -s.y, -s.z}];
+    }
   for (auto const& [key, count] : visits)
     EXPECT_EQ(count, 1);
   EXPECT_EQ(visits.size(), 27 * grid.cell_count()); // itself and 26 neighbours
@@ -40,7 +39,17 @@ TEST_P(CellGridOf, VisitsEveryImageOfEveryNeighbourOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Boxes, CellGridOf,
                          ::testing::Values(Vec3{2.1, 2.1, 2.1}, Vec3{3.5, 3.5, 3.5}, Vec3{4, 5, 6},
-                                           Vec3{2, 3, 7.9}));
+                                           Vec3{2, 3, 7.9}, Vec3{9, 11.5, 5.5}));
+
+TEST(CellGrid, HasCellsAtLeastAsLongAsTheRange) {
+  int checked = 0;
+  for (double edge = 2; edge < 40; edge += 0.37, ++checked) {
+    CellGrid const grid(Box{{edge, 2, 2}}, 1.0);
+    EXPECT_LE(static_cast<double>(grid.cell_count() / 4), edge) << edge;
+    EXPECT_LE(grid.phase_count(), edge >= 4 ? 8u : 12u) << edge;
+  }
+  EXPECT_GT(checked, 100);
+}
 
 TEST(CellGrid, RefusesABoxThatIsTooSmall) {
   EXPECT_THROW(CellGrid(Box{{5, 5, 1.99}}, 1.0), InputError);

@@ -1,3 +1,4 @@
+#include "md/error.hpp"
 #include "sdpd/neighbours.hpp"
 #include <gtest/gtest.h>
 #include <random>
@@ -29,17 +30,33 @@ IdPairs brute_force(Particles const& particles, Box const& box, double range) {
   return pairs;
 }
 
+/// Calls f(global i, global j, separation) for all candidates.
+template <class F>
+void for_each_candidate(Particles const& particles, Neighbours const& neighbours, F&& f) {
+  for (std::size_t block = 0; block < neighbours.grid().blocks().size(); ++block) {
+    auto const members = neighbours.members(block);
+    std::vector<Index> index;
+    std::vector<Vec3> q;
+    for (auto const& cell : members)
+      for (Index i = cell.begin; i < cell.end; ++i) {
+        index.push_back(i);
+        q.push_back(particles.q[i] + cell.shift);
+        ASSERT_EQ(global_index(members, index.size() - 1), i);
+      }
+    for (auto const [i, j] : neighbours.candidates(block))
+      f(index[i], index[j], q[i] - q[j]);
+  }
+}
+
 IdPairs from_lists(Particles const& particles, Neighbours const& neighbours) {
   IdPairs pairs;
   std::size_t listed = 0;
-  for (std::size_t task = 0; task < neighbours.grid().pairs().size(); ++task)
-    for (auto const [i, j] : neighbours.candidates(task)) {
-      Vec3 const r = particles.q[i] - particles.q[j] - neighbours.shift(task);
-      if (norm(r) < neighbours.range()) {
-        pairs.insert(std::minmax(particles.id[i], particles.id[j]));
-        ++listed;
-      }
+  for_each_candidate(particles, neighbours, [&](Index i, Index j, Vec3 const& r) {
+    if (norm(r) < neighbours.range()) {
+      pairs.insert(std::minmax(particles.id[i], particles.id[j]));
+      ++listed;
     }
+  });
   EXPECT_EQ(listed, pairs.size()); // none twice
   return pairs;
 }
@@ -75,16 +92,28 @@ TEST(Neighbours, ListTheSamePairsInTheSameOrderForAnyOrderInMemory) {
   std::reverse(b.q.begin(), b.q.end());
   Neighbours of_a(box, 1.0, 0.1, 1), of_b(box, 1.0, 0.1, 2);
   of_a.renew(a), of_b.renew(b);
-  std::size_t compared = 0;
-  for (std::size_t task = 0; task < of_a.grid().pairs().size(); ++task) {
-    auto const x = of_a.candidates(task), y = of_b.candidates(task);
-    ASSERT_EQ(x.size(), y.size());
-    for (std::size_t k = 0; k < x.size(); ++k, ++compared) {
-      ASSERT_EQ(a.id[x[k].i], b.id[y[k].i]);
-      ASSERT_EQ(a.id[x[k].j], b.id[y[k].j]);
-    }
+  auto listed = [](Particles const& particles, Neighbours const& neighbours) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ids;
+    for_each_candidate(particles, neighbours, [&](Index i, Index j, Vec3 const&) {
+      ids.emplace_back(particles.id[i], particles.id[j]);
+    });
+    return ids;
+  };
+  auto const in_a = listed(a, of_a);
+  EXPECT_GT(in_a.size(), 1000u);
+  EXPECT_EQ(in_a, listed(b, of_b));
+}
+
+TEST(Neighbours, RefuseToHandleASystemThatHasCollapsed) {
+  Box const box{{40, 40, 40}};
+  Particles particles;
+  particles.resize(66000);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.id[i] = static_cast<std::uint32_t>(i);
+    particles.q[i] = {1, 1, 1};
   }
-  EXPECT_GT(compared, 1000u);
+  Neighbours neighbours(box, 1.0, 0.2, 1);
+  EXPECT_THROW(neighbours.renew(particles), PhysicsError);
 }
 
 } // namespace

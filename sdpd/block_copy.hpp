@@ -1,0 +1,47 @@
+#pragma once
+#include "sdpd/lanes.hpp"
+#include "sdpd/neighbours.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Calls f(local, global, shift) for the particles of a block.
+template <class F>
+void for_each_member(BlockMembers const& members, F&& f) {
+  std::size_t local = 0;
+  for (auto const& cell : members)
+    for (Index i = cell.begin; i < cell.end; ++i, ++local)
+      f(local, i, cell.shift);
+}
+
+/// Positions of a block's particles with one more quantity each, as rows. Two places follow the last
+/// particle: a pair of phantoms with the quantity 0 at distance `apart`, which fill the lanes that a number
+/// of pairs leaves over.
+template <class Quantity>
+void copy_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity const& quantity, double apart,
+               std::vector<Row>& rows) {
+  std::size_t const n = size(members);
+  rows.resize(n + 2);
+  for_each_member(members, [&](std::size_t local, Index i, Vec3 const& shift) {
+    rows[local] = Row{q[i].x + shift.x, q[i].y + shift.y, q[i].z + shift.z, quantity(i)};
+  });
+  rows[n] = Row{};
+  rows[n + 1] = Row{apart};
+}
+
+/// A list of pairs in groups of lane_count: calls f(pairs, first, count) with a pointer to lane_count pairs,
+/// the number of the first in the list and how many of them are in it; the others are the phantom pair.
+template <class F>
+[[gnu::always_inline]] inline void for_each_group(std::span<LocalPair const> pairs, std::size_t particles,
+                                                  F&& f) {
+  std::size_t k = 0;
+  for (; k + lane_count <= pairs.size(); k += lane_count)
+    f(&pairs[k], k, lane_count);
+  if (k == pairs.size())
+    return;
+  std::array<LocalPair, lane_count> last;
+  last.fill({static_cast<std::uint16_t>(particles), static_cast<std::uint16_t>(particles + 1)});
+  std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(k), pairs.end(), last.begin());
+  f(last.data(), k, pairs.size() - k);
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,26 @@
+#pragma once
+#include <cmath>
+
+namespace mesobridge::sdpd {
+
+/// Temperature and heat capacity of a particle at fixed density whose energy has changed by u since the
+/// expansion began:
+///     T(u) = T_0 + u (1/C_0 + c u),  1/C(u) = 1/C_0 + 2 c u,  c = -(dC/dT) / 2 C^3,
+/// exact for a constant heat capacity; otherwise its relative error is of third order in (T - T_0)/T_0, and
+/// the engine begins a new one (one warm Newton inversion) when |T - T_0| reaches `limit`. So two
+/// multiplications take the place of an inversion of the equation of state for each pair. Energy is conserved
+/// whatever the error is, because the energies are the variables; only the friction feels it, through T.
+struct Caloric {
+  double T_0, inverse_C_0, curvature, limit;
+
+  double T(double u) const { return T_0 + u * (inverse_C_0 + curvature * u); }
+  double inverse_C(double u) const { return inverse_C_0 + 2 * curvature * u; }
+  /// False too when T is not a number, and when T <= 0.
+  bool in_reach(double u) const { return std::abs(T(u) - T_0) < limit; }
+};
+
+/// Largest relative change of T that an expansion serves when the heat capacity varies; T is then right to
+/// about 1e-5 for the LJ fluid.
+inline constexpr double caloric_reach = 0.03;
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,82 @@
+#include "sdpd/thermodynamics.hpp"
+#include "sdpd/particle_eos.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+template <fitting::EquationOfState Eos>
+class ThermodynamicsOf final : public Thermodynamics {
+ public:
+  explicit ThermodynamicsOf(ParticleEos<Eos> eos) : eos_(std::move(eos)) {}
+
+  void from_entropy(Particles& particles, Range range, Failure& failure) const override {
+    for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
+      double const T = at.temperature_from_entropy(particles.S[i], particles.T[i]);
+      particles.T[i] = T;
+      particles.eps[i] = at.energy(T);
+      particles.P[i] = at.pressure(T);
+      particles.caloric[i] = at.caloric(T);
+    });
+  }
+  void from_energy(Particles& particles, Range range, Failure& failure) const override {
+    for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
+      particles.T[i] = at.temperature_from_energy(particles.eps[i], particles.T[i]);
+      set_entropy_and_pressure(particles, i, at);
+    });
+  }
+  void from_temperature(Particles& particles, Range range, Failure& failure) const override {
+    for_each(particles, range, failure,
+             [&](std::size_t i, auto const& at) { set_entropy_and_pressure(particles, i, at); });
+  }
+  void energy_from_temperature(Particles& particles, Range range, Failure& failure) const override {
+    for_each(particles, range, failure,
+             [&](std::size_t i, auto const& at) { particles.eps[i] = at.energy(particles.T[i]); });
+  }
+  double temperature(double eps, double rho, double T_guess) const override {
+    return eos_.at(rho).temperature_from_energy(eps, T_guess);
+  }
+  double heat_capacity(double T, double rho) const override { return eos_.at(rho).heat_capacity(T); }
+  Caloric caloric(double eps, double rho, double T_guess) const override {
+    auto const at = eos_.at(rho);
+    return at.caloric(at.temperature_from_energy(eps, T_guess));
+  }
+
+ private:
+  template <class F>
+  void for_each(Particles const& particles, Range range, Failure& failure, F const& f) const {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      try {
+        f(i, eos_.at(particles.rho[i]));
+      } catch (std::exception const& error) {
+        failure.report(particles.id[i], error.what());
+      }
+    }
+  }
+  static void set_entropy_and_pressure(Particles& particles, std::size_t i, auto const& at) {
+    particles.S[i] = at.entropy(particles.T[i]);
+    particles.P[i] = at.pressure(particles.T[i]);
+  }
+
+  ParticleEos<Eos> eos_;
+};
+
+/// The part of the K atoms that a particle's internal state has: all, but for the ideal gas, whose centre of
+/// mass carries the share of one (theory sheet, Eq. 4.7 corrected).
+template <class Eos>
+double internal_share(double K) {
+  return std::is_same_v<Eos, fitting::IdealGas> ? (K - 1) / K : 1.0;
+}
+
+} // namespace
+
+std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& any,
+                                                          ReducedUnits const& units) {
+  return std::visit(
+      [&]<class Eos>(Eos const& eos) -> std::unique_ptr<Thermodynamics const> {
+        return std::make_unique<ThermodynamicsOf<Eos>>(
+            ParticleEos<Eos>(eos, units, internal_share<Eos>(units.K)));
+      },
+      any);
+}
+
+} // namespace mesobridge::sdpd

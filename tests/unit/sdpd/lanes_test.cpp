@@ -1,0 +1,97 @@
+#include "sdpd/pair/lane_math.hpp"
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace mesobridge::sdpd {
+namespace {
+
+Lanes lanes(double first, double ratio) {
+  Lanes x;
+  for (std::size_t l = 0; l < lane_count; ++l, first *= ratio)
+    x[l] = first;
+  return x;
+}
+
+TEST(Lanes, TurnRowsIntoQuantitiesAndBack) {
+  std::vector<double> numbers(32);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    numbers[k] = static_cast<double>(k);
+  auto const quantities = load_rows([&](std::size_t l) { return &numbers[4 * l]; });
+  for (std::size_t q = 0; q < 4; ++q)
+    for (std::size_t l = 0; l < lane_count; ++l)
+      EXPECT_EQ(quantities[q][l], static_cast<double>(4 * l + q));
+  auto const rows = to_rows(quantities);
+  for (std::size_t l = 0; l < lane_count; ++l)
+    for (std::size_t q = 0; q < 4; ++q)
+      EXPECT_EQ(rows[l][q], numbers[4 * l + q]);
+}
+
+TEST(Lanes, TurnLinesIntoQuantities) {
+  std::vector<double> numbers(64);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    numbers[k] = static_cast<double>(k);
+  auto const quantities = load_lines([&](std::size_t l) { return &numbers[8 * l]; });
+  for (std::size_t q = 0; q < 8; ++q)
+    for (std::size_t l = 0; l < lane_count; ++l)
+      EXPECT_EQ(quantities[q][l], static_cast<double>(8 * l + q));
+}
+
+TEST(Lanes, CompressKeepsWhatIsMarkedInItsOrder) {
+  std::array<std::uint32_t, lane_count> const values{10, 11, 12, 13, 14, 15, 16, 17};
+  Lanes const numbers = lanes(1, 2);
+  int checked = 0;
+  for (unsigned bits = 0; bits < 256; ++bits, ++checked) {
+    std::array<std::uint32_t, lane_count> kept;
+    std::array<double, lane_count> kept_numbers;
+    compress(bits, values.data(), kept.data());
+    compress(bits, numbers, kept_numbers.data());
+    std::size_t count = 0;
+    for (std::size_t l = 0; l < lane_count; ++l)
+      if (bits >> l & 1u) {
+        EXPECT_EQ(kept[count], values[l]);
+        EXPECT_EQ(kept_numbers[count], numbers[l]);
+        ++count;
+      }
+  }
+  EXPECT_EQ(checked, 256);
+}
+
+TEST(Lanes, CompareWithoutTakingNaNForLess) {
+  Lanes a = lanes(1, 2);
+  a[3] = std::nan("");
+  EXPECT_EQ(less(a, broadcast(20)), 0b00010111u); // 1 2 4 NaN 16
+}
+
+TEST(Lanes, HaveRootsToRoundOff) {
+  int checked = 0;
+  for (double x = 1e-280; x < 1e280; x *= 1e7, ++checked) {
+    Lanes const at = lanes(x, 1.3), root = square_root(at), inverse = inverse_square_root(at);
+    for (std::size_t l = 0; l < lane_count; ++l) {
+      EXPECT_EQ(root[l], std::sqrt(at[l]));
+      EXPECT_NEAR(inverse[l] * std::sqrt(at[l]), 1, 1e-15);
+    }
+  }
+  EXPECT_GE(checked, 80);
+}
+
+TEST(Lanes, DistanceOfTwoParticlesInOnePlaceIsANumber) {
+  DistanceLanes const distance(lanes(0, 1));
+  EXPECT_LT(distance.r[0], 1e-140);
+  EXPECT_EQ(0 * distance.inverse_r[0], 0);
+}
+
+TEST(MinusExpm1, IsRightToSinglePrecisionInLanes) {
+  int checked = 0;
+  double worst = 0;
+  for (double x = 1e-30; x < 300; x *= 1.03, ++checked) {
+    float const argument = static_cast<float>(x);
+    FloatLanes const result = minus_expm1(constant<FloatLanes>(x));
+    worst = std::max(worst, std::abs(result[5] / std::expm1(-double{argument}) - 1));
+  }
+  EXPECT_GT(checked, 2000);
+  EXPECT_LT(worst, 2.5e-7);
+  EXPECT_EQ(minus_expm1(FloatLanes{})[0], 0);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
