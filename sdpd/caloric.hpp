@@ -7,7 +7,8 @@ namespace mesobridge::sdpd {
 /// expansion began:
 ///     T(u) = T_0 + u (1/C_0 + c u),  1/C(u) = 1/C_0 + 2 c u,  c = -(dC/dT) / 2 C^3,
 /// exact for a constant heat capacity; otherwise its relative error is of third order in (T - T_0)/T_0, and
-/// the engine begins a new one (one warm Newton inversion) when |T - T_0| reaches `limit`. So two
+/// the engine begins a new one (one warm Newton inversion) when |T - T_0| reaches `limit` (infinite for a
+/// constant heat capacity). So two
 /// multiplications take the place of an inversion of the equation of state for each pair. Energy is conserved
 /// whatever the error is, because the energies are the variables; only the friction feels it, through T.
 struct Caloric {
@@ -15,7 +16,7 @@ struct Caloric {
 
   double T(double u) const { return T_0 + u * (inverse_C_0 + curvature * u); }
   double inverse_C(double u) const { return inverse_C_0 + 2 * curvature * u; }
-  /// False too when T is not a number, and when T <= 0.
+  /// False when T is not a number.
   bool in_reach(double u) const { return std::abs(T(u) - T_0) < limit; }
 };
 

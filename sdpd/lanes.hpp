@@ -18,6 +18,7 @@ inline constexpr std::size_t lane_count = 8;
 using Lanes [[gnu::vector_size(64)]] = double;
 using FloatLanes [[gnu::vector_size(32)]] = float;
 using IntLanes [[gnu::vector_size(32)]] = std::int32_t;
+using LongLanes [[gnu::vector_size(64)]] = std::int64_t;
 /// Four numbers of one particle, in half a cache line.
 using Row [[gnu::vector_size(32)]] = double;
 

@@ -2,6 +2,7 @@
 #include "fitting/eos/ideal_gas.hpp"
 #include "sdpd/caloric.hpp"
 #include "sdpd/units.hpp"
+#include <limits>
 
 namespace mesobridge::sdpd {
 
@@ -38,7 +39,8 @@ class ParticleEos {
       return {.T_0 = T,
               .inverse_C_0 = 1 / c,
               .curvature = -0.5 * slope / (c * c * c),
-              .limit = has_constant_heat_capacity<Eos> ? T : caloric_reach * T};
+              .limit = has_constant_heat_capacity<Eos> ? std::numeric_limits<double>::infinity()
+                                                       : caloric_reach * T};
     }
     double heat_capacity(double T) const { return isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_; }
 

@@ -54,6 +54,9 @@ inline float unit_interval(std::uint32_t bits) {
   return (static_cast<float>(static_cast<std::int32_t>(bits >> 1)) + 0.5f) * 4.656612873077393e-10f;
 }
 
+/// The last eight bits of an angle are below single precision's reach: they serve elsewhere.
+constexpr std::uint32_t spare = 0xff;
+
 } // namespace
 
 void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
@@ -76,20 +79,28 @@ void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32
     auto const c2 = static_cast<std::uint32_t>(x2), c3 = static_cast<std::uint32_t>(x3);
     float const radius_1 = std::sqrt(-2.0f * log_unit(unit_interval(c0)));
     float const radius_2 = std::sqrt(-2.0f * log_unit(unit_interval(c2)));
-    SineCosine const first = sine_cosine(c1), second = sine_cosine(c3);
+    SineCosine const first = sine_cosine(c1 & ~spare), second = sine_cosine(c3 & ~spare);
+    out.bits[lane] = (c1 & spare) << 8 | (c3 & spare);
     out.x[lane] = radius_1 * first.cosine;
     out.y[lane] = radius_1 * first.sine;
     out.z[lane] = radius_2 * second.cosine;
   }
 }
 
-std::array<double, 3> gaussians_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b) {
-  auto const bits =
+Gaussians gaussians_and_bits_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b) {
+  auto const word =
       Philox4x32::generate({id_a, id_b, source.step_low, source.step_high_and_stream}, source.key);
   auto radius = [](std::uint32_t b) { return std::sqrt(-2 * std::log(((b >> 1) + 0.5) / 2147483648.0)); };
-  auto angle = [](std::uint32_t b) { return std::numbers::pi * static_cast<std::int32_t>(b) / 2147483648.0; };
-  return {radius(bits[0]) * std::cos(angle(bits[1])), radius(bits[0]) * std::sin(angle(bits[1])),
-          radius(bits[2]) * std::cos(angle(bits[3]))};
+  auto angle = [](std::uint32_t b) {
+    return std::numbers::pi * static_cast<std::int32_t>(b & ~spare) / 2147483648.0;
+  };
+  return {.G = {radius(word[0]) * std::cos(angle(word[1])), radius(word[0]) * std::sin(angle(word[1])),
+                radius(word[2]) * std::cos(angle(word[3]))},
+          .bits = (word[1] & spare) << 8 | (word[3] & spare)};
+}
+
+std::array<double, 3> gaussians_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b) {
+  return gaussians_and_bits_reference(source, id_a, id_b).G;
 }
 
 } // namespace mesobridge::sdpd

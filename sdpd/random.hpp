@@ -31,7 +31,10 @@ enum class Stream : std::uint32_t {
   fluctuation = 0,
   initial_velocities = 1,
   initial_positions = 2,
-  initial_energies = 3
+  initial_energies = 3,
+  second_fluctuation = 4, ///< of a step that has two sweeps
+  acceptance = 5,
+  second_acceptance = 6
 };
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.
@@ -51,10 +54,14 @@ struct NoiseSource {
 /// result of a pair never depends on its place in a loop.
 inline constexpr int noise_lanes = 16;
 
-/// Three standard Gaussian numbers for each lane.
+/// Three standard Gaussian numbers for each lane, and 16 random bits that are independent of them.
 struct GaussianLanes {
   alignas(64) std::array<float, noise_lanes> x, y, z;
+  alignas(64) std::array<std::uint32_t, noise_lanes> bits;
 };
+
+/// How many random bits come with the Gaussian numbers of a pair.
+inline constexpr int spare_bits = 16;
 
 /// Three standard Gaussian numbers for each of noise_lanes pairs of ids (Box-Muller on Philox4x32-10). Single
 /// precision is enough: the law is right to 1e-7, and what the noise drives conserves momentum and energy to
@@ -62,8 +69,12 @@ struct GaussianLanes {
 void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
                GaussianLanes& out);
 
-/// The same three numbers for one pair of ids, by the plain library functions: the reference for the fast
-/// one.
+/// The same numbers for one pair of ids, by the plain library functions: the reference for the fast one.
+struct Gaussians {
+  std::array<double, 3> G;
+  std::uint32_t bits;
+};
+Gaussians gaussians_and_bits_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b);
 std::array<double, 3> gaussians_reference(NoiseSource const& source, std::uint32_t id_a, std::uint32_t id_b);
 
 } // namespace mesobridge::sdpd

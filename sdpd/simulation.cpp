@@ -1,6 +1,6 @@
 #include "sdpd/simulation.hpp"
 #include "sdpd/random.hpp"
-#include "sdpd/scheme/ssa.hpp"
+#include "sdpd/step/conservative.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -82,6 +82,7 @@ void refresh(System& system) {
   find_pairs_and_densities(system);
   thermodynamics_from_energy(system);
   find_forces(system);
+  system.kept_energy = total_energy(system);
 }
 
 void set_energies_from_temperatures(System& system) {
@@ -131,6 +132,8 @@ void check(SimulationSettings const& s) {
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
+  require(s.scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",
+          s.scheme.verlet_steps, "must be >= 1");
   require(s.disorder >= 0 && s.disorder <= 0.5, "disorder", s.disorder,
           "must lie in 0 ... 0.5 lattice spacings");
   for (auto const n : s.lattice)
@@ -139,6 +142,14 @@ void check(SimulationSettings const& s) {
   SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity());
   Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
   CellGrid(box, s.h_factor + skin_of(s));
+}
+
+std::unique_ptr<System> make_system(SimulationSettings const& settings) {
+  check(settings);
+  auto system = build(settings);
+  set_energies_from_temperatures(*system);
+  refresh(*system);
+  return system;
 }
 
 ReducedUnits SimulationSettings::units() const {
@@ -153,12 +164,8 @@ ReducedUnits SimulationSettings::units() const {
       eos);
 }
 
-Simulation::Simulation(SimulationSettings const& settings) : units_(settings.units()), dt_(settings.dt) {
-  check(settings);
-  system_ = build(settings);
-  set_energies_from_temperatures(*system_);
-  refresh(*system_);
-}
+Simulation::Simulation(SimulationSettings const& settings)
+    : units_(settings.units()), dt_(settings.dt), scheme_(settings.scheme), system_(make_system(settings)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -166,7 +173,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
   for (std::uint64_t k = 0; k < steps; ++k)
-    step_ssa(*system_, dt_);
+    step(*system_, scheme_, dt_);
 }
 Observation Simulation::observe() const {
   return sdpd::observe(system_->particles, system_->box, system_->virial, system_->boltzmann, system_->step);
@@ -176,6 +183,9 @@ Box const& Simulation::box() const {
 }
 std::size_t Simulation::size() const {
   return system_->particles.size();
+}
+PairCounts Simulation::pair_counts() const {
+  return system_->pair_counts;
 }
 std::uint64_t Simulation::list_renewals() const {
   return system_->renewals;
@@ -209,6 +219,7 @@ void Simulation::heat(double rise) {
 void Simulation::scale_momenta(double factor) {
   for (auto& p : system_->particles.p)
     p *= factor;
+  system_->kept_energy = total_energy(*system_);
 }
 
 void Simulation::draw_temperatures() {
@@ -234,8 +245,9 @@ double Simulation::heat_capacity() const {
 Checkpoint Simulation::checkpoint() const {
   auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
-  return {system_->step, particles.id,  particles.q, {renewed.begin(), renewed.end()},
-          particles.p,   particles.eps, particles.T};
+  return {system_->step,       particles.id,  particles.q, {renewed.begin(), renewed.end()},
+          particles.p,         particles.eps, particles.T, system_->kept_energy,
+          system_->pair_counts};
 }
 
 void Simulation::restore(Checkpoint const& c) {
@@ -250,6 +262,7 @@ void Simulation::restore(Checkpoint const& c) {
   system_->neighbours.renew(particles);
   particles.q = c.q;
   system_->step = c.step;
+  system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   find_pairs_and_densities(*system_);
   thermodynamics_from_temperature(*system_);
   find_forces(*system_);

@@ -1,6 +1,7 @@
 #pragma once
 #include "fitting/eos/list.hpp"
 #include "sdpd/observe/observation.hpp"
+#include "sdpd/scheme/scheme.hpp"
 #include <array>
 #include <functional>
 #include <memory>
@@ -29,6 +30,7 @@ struct SimulationSettings {
   double zeta = 0;       ///< bulk viscosity, < 5 eta/3
   double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from dt and K
   double dt = 0;         ///< time step, reduced, > 0
+  Scheme scheme = {};
   std::uint64_t seed = 1;
   int threads = 1;
 
@@ -38,12 +40,19 @@ struct SimulationSettings {
 /// Throws InputError that names the quantity that is out of bounds.
 void check(SimulationSettings const& settings);
 
+/// The start of a simulation, for those that make sub-steps of their own: a lattice, Maxwell velocities
+/// without total momentum, every particle at T; densities, energies and forces belong to them. Throws
+/// InputError.
+std::unique_ptr<System> make_system(SimulationSettings const& settings);
+
 /// All that a later run needs to go on bit for bit; particles in the order of memory.
 struct Checkpoint {
   std::uint64_t step = 0;
   std::vector<std::uint32_t> id;
   std::vector<Vec3> q, q_at_renewal, p;
   std::vector<double> eps, T;
+  double kept_energy = 0; ///< see Scheme::keep_energy
+  PairCounts pair_counts;
 };
 
 /// Per-particle values in the order of the ids, reduced.
@@ -53,7 +62,8 @@ struct Snapshot {
   std::vector<double> eps, rho, T, P;
 };
 
-/// An SDPD fluid in a periodic box, integrated by Velocity Verlet and SSA. All results in reduced units
+/// An SDPD fluid in a periodic box, integrated by Velocity Verlet and a
+/// scheme for fluctuation and dissipation. All results in reduced units
 /// (units()). Results are identical to the bit for any number of threads.
 class Simulation {
  public:
@@ -74,6 +84,8 @@ class Simulation {
   std::size_t size() const;
   double neighbours() const; ///< mean number per particle within the kernel's support
   std::uint64_t list_renewals() const;
+  /// Steps of pairs since the start, and those that were not made.
+  PairCounts pair_counts() const;
 
   /// Adds `heat` times its heat capacity to every particle's energy: the temperature rises by about `heat`
   /// (reduced).
@@ -93,6 +105,7 @@ class Simulation {
  private:
   ReducedUnits units_;
   double dt_;
+  Scheme scheme_;
   std::unique_ptr<System> system_;
 };
 

@@ -2,7 +2,9 @@
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/neighbours.hpp"
 #include "sdpd/pair/sdpd_friction.hpp"
+#include "sdpd/pair_scheme.hpp"
 #include "sdpd/thermodynamics.hpp"
+#include <algorithm>
 
 namespace mesobridge::sdpd {
 
@@ -22,6 +24,8 @@ struct System {
   double dt = 0;                    ///< time step under way, for messages
   double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
   std::uint64_t renewals = 0;       ///< of the lists, since the start
+  PairCounts pair_counts;           ///< since the start
+  double kept_energy = 0;           ///< the total energy that Scheme::keep_energy restores
   std::vector<double> block_virial; ///< its parts, kept so that no step allocates
   std::vector<double> energy_gain;  ///< of the particles since their caloric expansions began, during a sweep
 
@@ -35,13 +39,15 @@ struct System {
   }
 };
 
+/// Particles that are worked on by one thread at a time.
+inline constexpr std::size_t range_length = 512;
+
 /// Calls f(range) for all particles in parts, on all threads.
 template <class F>
 void for_each_range(System const& system, F&& f) {
-  constexpr std::size_t length = 512;
 #pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t begin = 0; begin < system.size(); begin += length)
-    f(Range{begin, std::min(begin + length, system.size())});
+  for (std::size_t begin = 0; begin < system.size(); begin += range_length)
+    f(Range{begin, std::min(begin + range_length, system.size())});
 }
 
 } // namespace mesobridge::sdpd

@@ -21,12 +21,12 @@ class ThermodynamicsOf final : public Thermodynamics {
   void from_energy(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
       particles.T[i] = at.temperature_from_energy(particles.eps[i], particles.T[i]);
-      set_entropy_and_pressure(particles, i, at);
+      set_from_temperature(particles, i, at);
     });
   }
   void from_temperature(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure,
-             [&](std::size_t i, auto const& at) { set_entropy_and_pressure(particles, i, at); });
+             [&](std::size_t i, auto const& at) { set_from_temperature(particles, i, at); });
   }
   void energy_from_temperature(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure,
@@ -40,6 +40,11 @@ class ThermodynamicsOf final : public Thermodynamics {
     auto const at = eos_.at(rho);
     return at.caloric(at.temperature_from_energy(eps, T_guess));
   }
+  ThermalState state(double eps, double rho, double T_guess) const override {
+    auto const at = eos_.at(rho);
+    double const T = at.temperature_from_energy(eps, T_guess);
+    return {T, at.entropy(T), 1 / at.heat_capacity(T)};
+  }
 
  private:
   template <class F>
@@ -52,9 +57,10 @@ class ThermodynamicsOf final : public Thermodynamics {
       }
     }
   }
-  static void set_entropy_and_pressure(Particles& particles, std::size_t i, auto const& at) {
+  static void set_from_temperature(Particles& particles, std::size_t i, auto const& at) {
     particles.S[i] = at.entropy(particles.T[i]);
     particles.P[i] = at.pressure(particles.T[i]);
+    particles.caloric[i] = at.caloric(particles.T[i]);
   }
 
   ParticleEos<Eos> eos_;

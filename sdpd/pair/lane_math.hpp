@@ -38,4 +38,32 @@ template <>
   return power * series + (power - 1.0f);
 }
 
+/// exp(min(x, 0)), to single precision.
+[[gnu::always_inline]] inline FloatLanes exp_up_to_one(FloatLanes const& x) {
+  return 1.0f + minus_expm1(x < 0.0f ? -x : FloatLanes{});
+}
+
+/// ln x of normal numbers x > 0, to 2 units of round-off: x = 2^k m with m in [sqrt(1/2), sqrt(2)), and
+/// ln m = 2 artanh f by its series, f = (m - 1)/(m + 1) in [-0.172, 0.172]. Anything for other x.
+[[gnu::always_inline]] inline Lanes logarithm(Lanes const& x) {
+  constexpr std::int64_t one = 0x3ff0000000000000, root_half = 0x3fe6a09e667f3bcd,
+                         mantissa = 0x000fffffffffffff;
+  // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
+  LongLanes const shifted = load<LongLanes>(&x) + (one - root_half);
+  Lanes const exponent = __builtin_convertvector((shifted >> 52) - 1023, Lanes);
+  LongLanes const bits = (shifted & mantissa) + root_half;
+  Lanes const m = load<Lanes>(&bits), f = (m - 1.0) / (m + 1.0), z = f * f;
+  Lanes series = 1.0 / 19 + z * (1.0 / 21);
+  series = 1.0 / 17 + z * series;
+  series = 1.0 / 15 + z * series;
+  series = 1.0 / 13 + z * series;
+  series = 1.0 / 11 + z * series;
+  series = 1.0 / 9 + z * series;
+  series = 1.0 / 7 + z * series;
+  series = 1.0 / 5 + z * series;
+  series = 1.0 / 3 + z * series;
+  constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
+  return exponent * ln2_high + (2.0 * f + (2.0 * f * z * series + exponent * ln2_low));
+}
+
 } // namespace mesobridge::sdpd

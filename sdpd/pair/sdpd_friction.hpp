@@ -5,12 +5,14 @@
 namespace mesobridge::sdpd {
 
 /// What one exact Ornstein-Uhlenbeck step over dt does to the relative velocity of a pair in one direction:
-/// v' = (1 + decay) v + kick G, with G a standard Gaussian number (theory sheet, section 3, SSA). X is a
+/// v' = (1 + decay) v + kick() G, with G a standard Gaussian number (theory sheet, section 3, SSA). X is a
 /// number or lanes of numbers.
 template <class X>
 struct OrnsteinUhlenbeck {
-  X decay; ///< exp(-2 gamma dt / m) - 1
-  X kick;  ///< the standard deviation zeta
+  X decay;    ///< alpha - 1 = exp(-2 gamma dt / m) - 1
+  X variance; ///< zeta^2
+
+  X kick() const { return square_root(variance); }
 };
 
 /// Friction and noise of an SDPD pair of equal masses m = 1 at one pair of temperatures (theory sheet,
@@ -48,9 +50,7 @@ struct PairBath {
   }
 
  private:
-  OrnsteinUhlenbeck<X> of_decay(X const& decay) const {
-    return {decay, square_root(thermal * -decay * (2 + decay))};
-  }
+  OrnsteinUhlenbeck<X> of_decay(X const& decay) const { return {decay, thermal * -decay * (2 + decay)}; }
 };
 
 /// The two friction coefficients of a fluid with shear viscosity eta and bulk viscosity zeta (reduced units):

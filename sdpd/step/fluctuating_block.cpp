@@ -50,6 +50,7 @@ void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair co
       inputs.G_x[first + lane] = keys.sign[lane] * noise.x[lane];
       inputs.G_y[first + lane] = keys.sign[lane] * noise.y[lane];
       inputs.G_z[first + lane] = keys.sign[lane] * noise.z[lane];
+      inputs.bits[first + lane] = noise.bits[lane];
     }
   }
 }
@@ -67,7 +68,7 @@ void FluctuatingBlock::copy_in(System const& system, std::size_t block) {
     particles_[local] = {from.p[i], system.energy_gain[i], from.caloric[i]};
     ids_[local] = from.id[i];
   });
-  FluctuatingParticle const phantom{{}, 0, {1, 1, 0, 1}};
+  FluctuatingParticle const phantom{{}, 0, {.T_0 = 1, .inverse_C_0 = 1, .curvature = 0, .limit = 1}};
   particles_[size_] = particles_[size_ + 1] = phantom;
 }
 
@@ -90,7 +91,7 @@ bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure
     return true;
   } catch (std::exception const& error) {
     failure.report(system.particles.id[i],
-                   fmt::format("fluctuation and dissipation (SSA) took its internal energy to {:.6g} (in K "
+                   fmt::format("fluctuation and dissipation took its internal energy to {:.6g} (in K "
                                "k_B T): {}; take a shorter time step or larger particles",
                                eps, error.what()));
     return false;

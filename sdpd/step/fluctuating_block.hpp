@@ -18,10 +18,12 @@ static_assert(sizeof(FluctuatingParticle) == sizeof(Lanes));
 /// chi = F/(rho_i rho_j) and noise, as one array each.
 struct PairInputs {
   std::vector<float> e_x, e_y, e_z, chi, G_x, G_y, G_z;
+  std::vector<std::uint32_t> bits; ///< spare random bits of the noise
 
   void resize(std::size_t count) {
     for (auto* values : {&e_x, &e_y, &e_z, &chi, &G_x, &G_y, &G_z})
       values->resize(count);
+    bits.resize(count);
   }
 };
 
@@ -37,6 +39,8 @@ class FluctuatingBlock {
   /// Positions with 1/rho.
   std::vector<Row> const& rows() const { return rows_; }
   std::vector<std::uint32_t> const& ids() const { return ids_; }
+  /// Where the particle is in memory.
+  Index index(std::size_t local) const { return global_index(members_, local); }
 
   /// Begins a new caloric expansion at the particle's energy; false, and a report to `failure`, when that
   /// energy has no temperature.

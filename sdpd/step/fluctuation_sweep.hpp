@@ -4,23 +4,37 @@
 
 namespace mesobridge::sdpd {
 
-/// What a sweep of fluctuation and dissipation needs beside the pairs.
+/// Streams of random numbers of the first and the second sweep of a step.
+struct SweepNoise {
+  NoiseSource pairs, acceptance;
+
+  SweepNoise(System const& system, bool second)
+      : pairs(system.seed, second ? Stream::second_fluctuation : Stream::fluctuation, system.step),
+        acceptance(system.seed, second ? Stream::second_acceptance : Stream::acceptance, system.step) {}
+};
+
+/// What a sweep needs beside the pairs.
 struct Sweep {
   SdpdFriction friction;
   double boltzmann, dt;
+  SweepNoise noise;
 };
 
-/// Calls sweep_block(block, noise, failure) for every block and then gives the energies gained, and the
-/// temperatures that belong to them, to the particles.
+/// Calls sweep_block(block, sweep, counts, failure) for every block and then gives the energies gained, and
+/// the temperatures that belong to them, to the particles.
 template <class SweepBlock>
-void sweep_all_blocks(System& system, SweepBlock const& sweep_block) {
+void sweep_all_blocks(System& system, double dt, bool second, SweepBlock const& sweep_block) {
   auto& particles = system.particles;
+  auto const& grid = system.neighbours.grid();
   system.energy_gain.assign(particles.size(), 0);
-  NoiseSource const source(system.seed, Stream::fluctuation, system.step);
+  Sweep const sweep{system.friction, system.boltzmann, dt, SweepNoise(system, second)};
+  std::vector<PairCounts> counts(grid.blocks().size());
   Failure failure;
-  for_each_block(system.neighbours.grid(), system.threads,
-                 [&](std::size_t block) { sweep_block(block, source, failure); });
+  for_each_block(grid, system.threads,
+                 [&](std::size_t block) { sweep_block(block, sweep, counts[block], failure); });
   system.stop_at(failure);
+  for (auto const& of_block : counts)
+    system.pair_counts += of_block;
 #pragma omp parallel for schedule(static) num_threads(system.threads)
   for (std::size_t i = 0; i < particles.size(); ++i) {
     particles.eps[i] += system.energy_gain[i];

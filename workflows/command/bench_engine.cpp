@@ -1,5 +1,6 @@
 #include "sdpd/simulation.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -9,7 +10,7 @@ namespace {
 
 struct Options {
   std::string scheme = "ssa", eos = "ideal-gas";
-  std::uint32_t side = 22;
+  std::uint32_t side = 22, fluctuate_every = 1;
   double K = 100;
   int steps = 20, repeats = 5;
 };
@@ -24,6 +25,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads) {
           .disorder = 0.15,
           .eta = 2e-3,
           .dt = ideal ? 0.1 : 0.05,
+          .scheme = {.pairs = pair_scheme_of(options.scheme), .verlet_steps = options.fluctuate_every},
           .threads = threads};
 }
 
@@ -48,6 +50,7 @@ Result run(Options const& options, Context& context) {
                  {"neighbours", simulation.neighbours()},
                  {"threads", threads},
                  {"scheme", options.scheme},
+                 {"fluctuate_every", options.fluctuate_every},
                  {"eos", options.eos},
                  {"n", simulation.size()},
                  {"K", options.K},
@@ -69,7 +72,11 @@ Command bench_engine_command() {
           .declare = [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("--scheme", options->scheme, "time-stepping scheme")
-                ->check(CLI::IsMember({"ssa"}))
+                ->check(CLI::IsMember({"ssa", "ams", "ems"}))
+                ->capture_default_str();
+            app.add_option("--fluctuate-every", options->fluctuate_every,
+                           "conservative steps for one of fluctuation and dissipation")
+                ->check(CLI::Range(1, 1000))
                 ->capture_default_str();
             app.add_option("--eos", options->eos, "equation of state")
                 ->check(CLI::IsMember({"ideal-gas", "argon"}))

@@ -140,13 +140,29 @@ std::vector<SceneKey> const& scene_keys() {
           .quantity(Dimension::viscosity, not_negative),
 
       Line(
-          "scheme", "name", [](Scene& s) { return &s.scheme.name; }, "time-stepping scheme")
-          .choices({"ssa"}),
+          "scheme", "name", [](Scene& s) { return &s.scheme.name; },
+          "what is done with the fluctuation and dissipation of a pair: made (ssa), not made when an energy "
+          "leaves "
+          "the equation of state (ams), or put to a Metropolis test too (ems)")
+          .choices({"ssa", "ams", "ems"}),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20))")
           .required()
           .quantity(Dimension::time, positive),
+      Line(
+          "scheme", "splitting", [](Scene& s) { return &s.scheme.splitting; },
+          "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
+          "either side (strang)")
+          .choices({"lie-trotter", "strang"}),
+      Line(
+          "scheme", "fluctuate_every", [](Scene& s) { return &s.scheme.fluctuate_every; },
+          "conservative steps for one of fluctuation and dissipation (multiple time steps)")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "scheme", "energy", [](Scene& s) { return &s.scheme.energy; },
+          "free, or kept: what the time step loses is given back to the internal energies")
+          .choices({"free", "kept"}),
 
       Line(
           "run", "equilibrate", [](Scene& s) { return &s.run.equilibrate; }, "steps before the first sample")

@@ -43,6 +43,9 @@ struct Scene {
   struct Scheme {
     std::string name = "ssa";
     TimeStep dt;
+    std::string splitting = "lie-trotter";
+    std::int64_t fluctuate_every = 1;
+    std::string energy = "free";
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {

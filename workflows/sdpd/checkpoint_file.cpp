@@ -17,6 +17,11 @@ std::vector<Vec3> vectors(std::vector<double> const& numbers) {
   return result;
 }
 
+sdpd::PairCounts pair_counts(std::vector<std::int64_t> const& stored) {
+  auto at = [&](std::size_t k) { return static_cast<std::uint64_t>(stored.at(k)); };
+  return {.proposed = at(0), .out_of_domain = at(1), .metropolis = at(2)};
+}
+
 } // namespace
 
 void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const& c,
@@ -33,6 +38,11 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
   store.write("p", numbers(c.p), {n, 3});
   store.write("eps", c.eps);
   store.write("T", c.T);
+  store.write("kept_energy", std::span(&c.kept_energy, 1));
+  std::array const pair_counts{static_cast<std::int64_t>(c.pair_counts.proposed),
+                               static_cast<std::int64_t>(c.pair_counts.out_of_domain),
+                               static_cast<std::int64_t>(c.pair_counts.metropolis)};
+  store.write("pair_counts", pair_counts);
   write_provenance(store, provenance);
   store.write("scene", provenance.scene);
   store.close();
@@ -51,7 +61,9 @@ StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
                          .q_at_renewal = vectors(store.read_doubles("q_at_renewal")),
                          .p = vectors(store.read_doubles("p")),
                          .eps = store.read_doubles("eps"),
-                         .T = store.read_doubles("T")},
+                         .T = store.read_doubles("T"),
+                         .kept_energy = store.read_doubles("kept_energy").at(0),
+                         .pair_counts = pair_counts(store.read_integers("pair_counts"))},
           .scene = store.read_text("scene")};
 }
 

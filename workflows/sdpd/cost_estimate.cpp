@@ -4,7 +4,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr double ns_per_pair = 75; // ideal gas; the LJ fluid takes a tenth more
+constexpr double ns_per_pair = 45; // ideal gas; the LJ fluid takes a fifth more
 constexpr double bytes_per_particle =
     450; // state, forces, working memory; 2.7 kB in all were measured at h_factor 2.5
 constexpr double candidates_per_pair = 1.4; // the lists reach beyond the range by their skin

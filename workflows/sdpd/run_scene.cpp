@@ -185,6 +185,12 @@ class Run {
     put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
     put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
         cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
+    auto const pairs = simulation_.pair_counts();
+    auto share = [&](std::uint64_t count) {
+      return static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(pairs.proposed, 1));
+    };
+    json["rejected_out_of_domain"] = share(pairs.out_of_domain);
+    json["rejected_metropolis"] = share(pairs.metropolis);
     auto const p = simulation_.observe().momentum;
     json["momentum" + units_.momentum_key] = norm(p) * units_.momentum;
     return json;

@@ -26,6 +26,20 @@ std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
           static_cast<std::uint32_t>(best[2])};
 }
 
+sdpd::PairScheme pair_scheme_of(std::string const& name) {
+  return name == "ems"   ? sdpd::PairScheme::ems
+         : name == "ams" ? sdpd::PairScheme::ams
+                         : sdpd::PairScheme::ssa;
+}
+
+sdpd::Scheme scheme_of(Scene const& scene) {
+  auto const& [name, dt, splitting, fluctuate_every, energy] = scene.scheme;
+  return {.pairs = pair_scheme_of(name),
+          .verlet_steps = static_cast<std::uint32_t>(fluctuate_every),
+          .splitting = splitting == "strang" ? sdpd::Splitting::strang : sdpd::Splitting::lie_trotter,
+          .keep_energy = energy == "kept"};
+}
+
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   sdpd::SimulationSettings settings{
       .eos = eos_of(scene),
@@ -39,6 +53,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .eta = scene.transport.eta,
       .zeta = scene.transport.zeta,
       .dt = scene.scheme.dt.value,
+      .scheme = scheme_of(scene),
       .seed = static_cast<std::uint64_t>(scene.run.seed),
       .threads = threads,
   };

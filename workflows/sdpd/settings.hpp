@@ -8,6 +8,12 @@ namespace mesobridge::workflows {
 /// model's file. Throws InputError.
 fitting::AnyEos eos_of(Scene const& scene);
 
+/// "ssa", "ams" or "ems".
+sdpd::PairScheme pair_scheme_of(std::string const& name);
+
+/// The scene's table `scheme`.
+sdpd::Scheme scheme_of(Scene const& scene);
+
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
 

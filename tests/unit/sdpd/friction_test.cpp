@@ -11,8 +11,8 @@ TEST(PairBath, GivesFrictionAndNoiseOfEquation216) {
   double const gamma = a * (1 - d);
   double const sigma2 = 4 * gamma / (1 - d) * kB * T_i * T_j / (T_i + T_j);
   auto const step = PairBath<double>(kB, T_i, T_j, 1 / C_i, 1 / C_j).step(a, dt);
-  EXPECT_NEAR(-step.decay / dt, 2 * gamma, 1e-6 * gamma);             // dv = -2 gamma v dt at m = 1
-  EXPECT_NEAR(step.kick * step.kick / dt, 4 * sigma2, 1e-6 * sigma2); // both particles are kicked by sigma
+  EXPECT_NEAR(-step.decay / dt, 2 * gamma, 1e-6 * gamma);     // dv = -2 gamma v dt at m = 1
+  EXPECT_NEAR(step.variance / dt, 4 * sigma2, 1e-6 * sigma2); // both particles are kicked by sigma
 }
 
 // With constant sigma, gamma of Eq. (2.30) is (sigma^2/4)[(1/k_B - 1/C_i)/T_i + (1/k_B - 1/C_j)/T_j]; with
@@ -36,7 +36,7 @@ TEST(PairBath, LeavesTheEquilibriumVarianceOfTheVelocityAlone) {
   for (double const dt : {1e-4, 0.1, 1.0, 30.0}) {
     auto const step = PairBath<double>(kB, T, T, 1 / huge_C, 1 / huge_C).step(0.6, dt);
     double const keep = 1 + step.decay;
-    EXPECT_NEAR(step.kick * step.kick / (1 - keep * keep), 2 * kB * T, 1e-9); // <v^2> of a relative velocity
+    EXPECT_NEAR(step.variance / (1 - keep * keep), 2 * kB * T, 1e-9); // <v^2> of a relative velocity
   }
 }
 

@@ -93,5 +93,24 @@ TEST(MinusExpm1, IsRightToSinglePrecisionInLanes) {
   EXPECT_EQ(minus_expm1(FloatLanes{})[0], 0);
 }
 
+TEST(Logarithm, IsRightToRoundOffInLanes) {
+  int checked = 0;
+  for (double x = 1e-300; x < 1e300; x *= 1.7, ++checked) {
+    Lanes const at = lanes(x, 1.0321), log = logarithm(at);
+    for (std::size_t l = 0; l < lane_count; ++l)
+      EXPECT_NEAR(log[l], std::log(at[l]), 3e-16 * std::max(1.0, std::abs(std::log(at[l])))) << at[l];
+  }
+  EXPECT_GT(checked, 2500);
+  for (double const d : {1e-3, 1e-8, 1e-13}) // near 1 the error must be small beside the result
+    EXPECT_NEAR(logarithm(broadcast(1 + d))[3] / std::log1p((1 + d) - 1), 1, 1e-15);
+}
+
+TEST(ExpUpToOne, IsRightToSinglePrecision) {
+  int checked = 0;
+  for (double x = -70; x < 2; x += 0.0137, ++checked)
+    EXPECT_NEAR(exp_up_to_one(constant<FloatLanes>(x))[2], std::exp(std::min(x, 0.0)), 1.2e-7);
+  EXPECT_GT(checked, 5000);
+}
+
 } // namespace
 } // namespace mesobridge::sdpd

@@ -1,4 +1,6 @@
-#include "sdpd/scheme/ssa.hpp"
+#include "sdpd/step/conservative.hpp"
+#include "sdpd/step/fluctuation.hpp"
+#include "sdpd/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <cstring>
 #include <gtest/gtest.h>
@@ -68,43 +70,32 @@ SimulationSettings with_lucy(SimulationSettings s) {
   return s;
 }
 
-INSTANTIATE_TEST_SUITE_P(Fluids, EveryFluid,
-                         ::testing::Values(Case{"ideal_gas_10", ideal_gas(10, 0.05)},
-                                           Case{"ideal_gas_100", with_lucy(ideal_gas(100, 0.2))},
-                                           Case{"argon_10", argon(10, 0.03)},
-                                           Case{"argon_1000", argon(1000, 0.1)}),
-                         [](auto const& info) { return info.param.name; });
+SimulationSettings with_scheme(SimulationSettings s, Scheme scheme) {
+  s.scheme = scheme;
+  return s;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fluids, EveryFluid,
+    ::testing::Values(
+        Case{"ideal_gas_10", ideal_gas(10, 0.05)}, Case{"ideal_gas_100", with_lucy(ideal_gas(100, 0.2))},
+        Case{"argon_10", argon(10, 0.03)}, Case{"argon_1000", argon(1000, 0.1)},
+        Case{"ideal_gas_2_ems", with_scheme(ideal_gas(2, 0.3), {.pairs = PairScheme::ems})},
+        Case{"argon_10_ams_three_to_one",
+             with_scheme(argon(10, 0.05), {.pairs = PairScheme::ams, .verlet_steps = 3})},
+        Case{"argon_10_ems_strang_kept",
+             with_scheme(argon(10, 0.05),
+                         {.pairs = PairScheme::ems, .splitting = Splitting::strang, .keep_energy = true})}),
+    [](auto const& info) { return info.param.name; });
 
 System lj_system(double K) {
-  auto const settings = argon(K, 0.03);
-  auto const units = settings.units();
-  System system{.box = Box{{7, 7, 7}},
-                .thermodynamics = make_thermodynamics(settings.eos, units),
-                .kernel = CubicKernel(2.5),
-                .friction = SdpdFriction(2e-3 / units.viscosity(), 0.5e-3 / units.viscosity()),
-                .neighbours = Neighbours(Box{{7, 7, 7}}, 2.5, 0.4, 1),
-                .particles = {},
-                .boltzmann = 1 / K,
-                .seed = 4,
-                .threads = 1,
-                .block_virial = {},
-                .energy_gain = {}};
-  auto const start = Simulation([&] {
-                       auto s = settings;
-                       s.lattice = {7, 7, 7};
-                       return s;
-                     }())
-                         .checkpoint();
-  auto& particles = system.particles;
-  particles.resize(343);
-  particles.id = start.id, particles.q = start.q, particles.p = start.p, particles.eps = start.eps;
-  particles.T = start.T;
-  refresh_lists(system);
-  find_pairs_and_densities(system);
-  thermodynamics_from_energy(system);
-  find_forces(system);
+  auto settings = argon(K, 0.03);
+  settings.lattice = {7, 7, 7};
+  settings.zeta = 0.5e-3;
+  settings.seed = 4;
+  auto system = std::move(*make_system(settings));
   for (int k = 0; k < 50; ++k)
-    step_ssa(system, 0.03);
+    step(system, {}, 0.03);
   return system;
 }
 
@@ -156,7 +147,7 @@ TEST(FluctuationAndDissipation, ConservesEnergyAndMomentumToRoundOff) {
   auto const p = system.particles.p;
   for (int k = 0; k < 20; ++k) {
     thermodynamics_from_entropy(system);
-    fluctuate_ssa(system, 0.03);
+    fluctuate(system, PairScheme::ssa, 0.03);
     thermodynamics_from_energy(system);
     ++system.step;
   }
@@ -173,7 +164,7 @@ TEST(FluctuationAndDissipation, HasTemperaturesAsGoodAsAnInversionPerPair) {
   auto system = lj_system(10);
   thermodynamics_from_entropy(system);
   double worst = 0;
-  fluctuate_ssa(system, 0.03);
+  fluctuate(system, PairScheme::ssa, 0.03);
   auto const& particles = system.particles;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     double const exact = system.thermodynamics->temperature(particles.eps[i], particles.rho[i], 1);
@@ -186,13 +177,15 @@ TEST(FluctuationAndDissipation, HasTemperaturesAsGoodAsAnInversionPerPair) {
 
 // The sweep in lanes against the same sweep pair after pair, in double precision and with the library's
 // functions.
-TEST(FluctuationAndDissipation, InLanesIsThatOfOnePairAfterTheOther) {
+class EveryPairScheme : public ::testing::TestWithParam<PairScheme> {};
+
+TEST_P(EveryPairScheme, InLanesIsThatOfOnePairAfterTheOther) {
   auto fast = lj_system(10), plain = lj_system(10);
   for (auto* system : {&fast, &plain})
     thermodynamics_from_entropy(*system);
   auto const before = fast.particles.p;
-  fluctuate_ssa(fast, 0.03);
-  fluctuate_ssa_plain(plain, 0.03);
+  fluctuate(fast, GetParam(), 0.03);
+  fluctuate_plain(plain, GetParam(), 0.03);
   double worst_p = 0, worst_eps = 0, moved = 0;
   for (std::size_t i = 0; i < fast.size(); ++i) {
     ASSERT_EQ(fast.particles.id[i], plain.particles.id[i]);
@@ -204,7 +197,18 @@ TEST(FluctuationAndDissipation, InLanesIsThatOfOnePairAfterTheOther) {
   EXPECT_LT(worst_p,
             1e-4 * moved); // the noise in single precision is right to 4e-4 near u = 1, 1e-7 elsewhere
   EXPECT_LT(worst_eps, 1e-4 * moved);
+  EXPECT_GT(fast.pair_counts.proposed, 10000u);
+  EXPECT_EQ(fast.pair_counts.proposed, plain.pair_counts.proposed);
+  EXPECT_EQ(fast.pair_counts.out_of_domain, plain.pair_counts.out_of_domain);
+  EXPECT_EQ(fast.pair_counts.metropolis, plain.pair_counts.metropolis);
+  EXPECT_EQ(fast.pair_counts.metropolis > 0, GetParam() == PairScheme::ems);
 }
+
+INSTANTIATE_TEST_SUITE_P(Schemes, EveryPairScheme,
+                         ::testing::Values(PairScheme::ssa, PairScheme::ams, PairScheme::ems),
+                         [](auto const& info) {
+                           return info.index == 0 ? "ssa" : info.index == 1 ? "ams" : "ems";
+                         });
 
 // Pairs are keyed by ids and turned from the smaller to the larger one: exchanging the two partners of every
 // pair in the lists is no change.
@@ -219,7 +223,7 @@ TEST(FluctuationAndDissipation, DoesNotKnowWhichPartnerComesFirst) {
   EXPECT_GT(pairs, 10000u);
   for (auto* each : {&system, &exchanged}) {
     thermodynamics_from_entropy(*each);
-    fluctuate_ssa(*each, 0.03);
+    fluctuate(*each, PairScheme::ssa, 0.03);
   }
   for (std::size_t i = 0; i < system.size(); ++i) {
     ASSERT_LT(norm(system.particles.p[i] - exchanged.particles.p[i]), 1e-13);

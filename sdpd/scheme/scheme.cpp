@@ -1,0 +1,73 @@
+#include "sdpd/scheme/scheme.hpp"
+#include "sdpd/step/conservative.hpp"
+#include "sdpd/step/fluctuation.hpp"
+#include <numeric>
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// Sum of f(i) over all particles, part by part: the same for any number of threads.
+template <class F>
+double sum_over_particles(System const& system, F const& f) {
+  std::vector<double> parts((system.size() + range_length - 1) / range_length);
+  for_each_range(system, [&](Range range) {
+    double sum = 0;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      sum += f(i);
+    parts[range.begin / range_length] = sum;
+  });
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+void verlet_step(System& system, double dt) {
+  kick(system, dt / 2);
+  drift(system, dt);
+  refresh_lists(system);
+  find_pairs_and_densities(system);
+  thermodynamics_from_entropy(system);
+  find_forces(system);
+  kick(system, dt / 2);
+}
+
+/// Brings the total energy back to what it was, with one change of temperature for all particles.
+void restore_energy(System& system) {
+  auto& particles = system.particles;
+  double const missing = system.kept_energy - total_energy(system);
+  double const rise = missing / sum_over_particles(system, [&](std::size_t i) {
+                        return 1 / particles.caloric[i].inverse_C_0;
+                      });
+  for_each_range(system, [&](Range range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      particles.eps[i] += rise / particles.caloric[i].inverse_C_0;
+  });
+}
+
+void fluctuation_step(System& system, Scheme const& scheme, double dt, bool second) {
+  fluctuate(system, scheme.pairs, dt, second);
+  if (scheme.keep_energy)
+    restore_energy(system);
+  thermodynamics_from_energy(system);
+  find_forces(system);
+}
+
+} // namespace
+
+double total_energy(System const& system) {
+  auto const& particles = system.particles;
+  return sum_over_particles(system,
+                            [&](std::size_t i) { return particles.eps[i] + 0.5 * norm2(particles.p[i]); });
+}
+
+void step(System& system, Scheme const& scheme, double dt) {
+  system.dt = dt;
+  bool const strang = scheme.splitting == Splitting::strang;
+  double const sweep_dt = scheme.verlet_steps * dt * (strang ? 0.5 : 1);
+  if (strang && system.step % scheme.verlet_steps == 0)
+    fluctuation_step(system, scheme, sweep_dt, false);
+  verlet_step(system, dt);
+  if ((system.step + 1) % scheme.verlet_steps == 0)
+    fluctuation_step(system, scheme, sweep_dt, strang);
+  ++system.step;
+}
+
+} // namespace mesobridge::sdpd

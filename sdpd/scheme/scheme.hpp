@@ -1,0 +1,34 @@
+#pragma once
+#include "sdpd/pair_scheme.hpp"
+#include <cstdint>
+
+namespace mesobridge::sdpd {
+
+struct System;
+
+enum class Splitting {
+  lie_trotter, ///< conservative step, then fluctuation and dissipation, as in the thesis
+  strang       ///< half of fluctuation and dissipation, conservative step, the other half
+};
+
+/// A scheme: how the conservative dynamics and the pairs' fluctuation and dissipation alternate (theory
+/// sheet, section 3).
+struct Scheme {
+  PairScheme pairs = PairScheme::ssa;
+  /// Verlet steps for one sweep of fluctuation and dissipation (multiple time steps, theta), >= 1.
+  std::uint32_t verlet_steps = 1;
+  Splitting splitting = Splitting::lie_trotter;
+  /// Takes the energy that the Verlet steps lose or gain out of the internal energies after each sweep, as
+  /// the same change of temperature for all particles.
+  bool keep_energy = false;
+};
+
+/// One Verlet step over dt at constant entropies, and fluctuation and dissipation when it is their turn.
+/// Before and after it, eps, S, T, P and f belong to the positions. Throws PhysicsError when a particle
+/// leaves the equation of state.
+void step(System& system, Scheme const& scheme, double dt);
+
+/// Total energy, kinetic and internal; summed in an order that does not depend on the threads.
+double total_energy(System const& system);
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,43 @@
+#pragma once
+#include "sdpd/step/fluctuation_sweep.hpp"
+
+namespace mesobridge::sdpd {
+
+/// One pair's step in double precision with exact inversions of the equation of state: what the lanes leave
+/// over (steps too large for a caloric expansion), and the oracle of the rest.
+class ExactPair {
+ public:
+  struct Geometry {
+    Vec3 e;     ///< direction
+    double chi; ///< F/(rho_i rho_j)
+  };
+  struct Noise {
+    Vec3 G;
+    double uniform; ///< in [0, 1)
+  };
+
+  /// The particles at places i and j of the block. Throws PhysicsError when one has left the equation of
+  /// state.
+  ExactPair(System const& system, FluctuatingBlock& block, LocalPair pair);
+
+  /// Makes the step, or not; counts what was not. Throws PhysicsError for SSA when the step leaves the
+  /// equation of state. The caloric expansions are left as they are, though they may be out of reach.
+  void step(PairScheme scheme, Geometry const& geometry, Noise const& noise, Sweep const& sweep,
+            PairCounts& counts);
+
+ private:
+  double log_acceptance(Geometry const& geometry, Noise const& noise, Sweep const& sweep, Vec3 const& v,
+                        Vec3 const& dv, std::array<ThermalState, 2> const& proposed) const;
+  ThermalState state(std::size_t k, double heat) const;
+
+  System const& system_;
+  std::array<FluctuatingParticle*, 2> particles_;
+  std::array<Index, 2> index_;
+  std::array<ThermalState, 2> at_;
+};
+
+/// The uniform number of a pair's Metropolis test: its spare bits first, then 32 of its own.
+double acceptance_uniform(NoiseSource const& source, std::uint32_t low, std::uint32_t high,
+                          std::uint32_t first_bits);
+
+} // namespace mesobridge::sdpd

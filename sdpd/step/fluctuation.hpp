@@ -1,0 +1,27 @@
+#pragma once
+#include "sdpd/system.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Fluctuation and dissipation over dt, pair after pair in the order of the lists, each by its exact
+/// Ornstein-Uhlenbeck step at the temperatures that the pair has then (theory sheet, section 3). The change
+/// of a pair's kinetic energy goes to its two internal energies in equal parts, so that momentum and energy
+/// are conserved to round-off; densities stay fixed. What happens with a step is the scheme's business:
+///
+///   ssa  every step is made. Throws PhysicsError when an internal energy leaves the equation of state.
+///   ams  a step that would lead an internal energy out of the equation of state is not made.
+///   ems  that, and a Metropolis test which makes the invariant measure exact at any dt.
+///
+/// Needs the caloric expansions of thermodynamics_from_entropy; leaves T behind the energies (call
+/// thermodynamics_from_energy). `second` draws other random numbers: for the second sweep of a step.
+///
+/// Pairs of a matching share no particle and are worked on in lanes. Velocities and energies are double
+/// precision; coefficients, noise and directions are single: they decide how much is exchanged, to 1e-7, not
+/// whether it is conserved.
+void fluctuate(System& system, PairScheme scheme, double dt, bool second = false);
+
+/// The same pair after pair, with the same noise, in double precision and with exact inversions of the
+/// equation of state: the oracle of the fast one.
+void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second = false);
+
+} // namespace mesobridge::sdpd

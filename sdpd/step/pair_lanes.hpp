@@ -1,0 +1,60 @@
+#pragma once
+#include "sdpd/step/fluctuating_block.hpp"
+
+/// The Ornstein-Uhlenbeck steps of eight pairs that share no particle.
+namespace mesobridge::sdpd {
+
+/// A caloric expansion in lanes.
+struct CaloricLanes {
+  Lanes T_0, inverse_C_0, curvature, limit;
+
+  [[gnu::always_inline]] Lanes T(Lanes const& u) const { return T_0 + u * (inverse_C_0 + curvature * u); }
+  [[gnu::always_inline]] Lanes inverse_C(Lanes const& u) const { return inverse_C_0 + 2.0 * curvature * u; }
+  /// Lanes whose expansion serves at this temperature.
+  [[gnu::always_inline]] unsigned in_reach(Lanes const& T) const {
+    Lanes const change = T - T_0;
+    return less(change < 0.0 ? -change : change, limit);
+  }
+  /// S(T_1) - S(T): with C = C_0 + C' (T - T_0), C' = -2 curvature C_0^3, the integral of C/T.
+  [[gnu::always_inline]] Lanes entropy_change(Lanes const& T, Lanes const& T_1,
+                                              Lanes const& log_ratio) const {
+    Lanes const C_0 = 1.0 / inverse_C_0, slope = -2.0 * curvature * C_0 * C_0 * C_0;
+    return (C_0 - slope * T_0) * log_ratio + slope * (T_1 - T);
+  }
+};
+
+/// Eight particles, one of each pair.
+struct ParticleLanes {
+  Lanes p_x, p_y, p_z, u;
+  CaloricLanes caloric;
+
+  [[gnu::always_inline]] explicit ParticleLanes(LineLanes const& line)
+      : p_x(line[0]), p_y(line[1]), p_z(line[2]), u(line[3]), caloric{line[4], line[5], line[6], line[7]} {}
+};
+
+/// Vectors of eight pairs.
+template <class X>
+struct VectorLanes {
+  X x, y, z;
+
+  [[gnu::always_inline]] friend X dot(VectorLanes const& a, VectorLanes const& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+};
+
+/// Geometry and noise of eight pairs.
+struct InputLanes {
+  FloatLanes chi;
+  VectorLanes<FloatLanes> e, G;
+
+  [[gnu::always_inline]] InputLanes(PairInputs const& from, std::size_t first)
+      : chi(load<FloatLanes>(&from.chi[first])), e{load<FloatLanes>(&from.e_x[first]),
+                                                   load<FloatLanes>(&from.e_y[first]),
+                                                   load<FloatLanes>(&from.e_z[first])},
+        G{load<FloatLanes>(&from.G_x[first]), load<FloatLanes>(&from.G_y[first]),
+          load<FloatLanes>(&from.G_z[first])} {}
+};
+
+using BathLanes = PairBath<FloatLanes>;
+
+} // namespace mesobridge::sdpd
