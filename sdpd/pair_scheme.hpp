@@ -3,8 +3,8 @@
 
 namespace mesobridge::sdpd {
 
-/// What is done with the Ornstein-Uhlenbeck step of a pair: see fluctuate().
-enum class PairScheme { ssa, ams, ems };
+/// How the pairs' fluctuation and dissipation is integrated: see fluctuate().
+enum class PairScheme { ssa, ams, ems, ser };
 
 /// Steps of pairs since the start, and those that were not made.
 struct PairCounts {

@@ -48,18 +48,21 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
-AnyKernel make_kernel(KernelKind kind, double h) {
-  return kind == KernelKind::cubic ? AnyKernel(CubicKernel(h)) : AnyKernel(LucyKernel(h));
+double self_density(AnyKernel const& kernel, DensityCorrection const& correction) {
+  double const W_0 = std::visit([](auto const& of) { return of.W(0.0); }, kernel); // with the scale
+  return W_0 * (1 - correction.self / correction.scale);
 }
 
 std::unique_ptr<System> build(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
   Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
   double const h = s.h_factor;
+  AnyKernel const kernel = make_kernel(s.kernel, h, s.density_correction.scale);
   auto system = std::make_unique<System>(System{
       .box = box,
       .thermodynamics = make_thermodynamics(s.eos, units),
-      .kernel = make_kernel(s.kernel, h),
+      .kernel = kernel,
+      .self_density = self_density(kernel, s.density_correction),
       .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
       .neighbours = Neighbours(box, h, skin_of(s), s.threads),
       .particles = {},
@@ -68,6 +71,7 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
       .threads = s.threads,
       .block_virial = {},
       .energy_gain = {},
+      .impulse = {},
   });
   system->particles.resize(particle_count(s));
   place_on_lattice(system->particles, s);
@@ -130,6 +134,11 @@ void check(SimulationSettings const& s) {
                 : "must be >= 1");
   require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
+  auto const& [scale, self] = s.density_correction;
+  require(scale > 0 && std::isfinite(scale), "density correction scale", scale, "must be > 0 and finite");
+  require(self < scale && self > -scale, "density correction self", self,
+          "must lie between -scale and scale");
+  make_kernel(s.kernel, s.h_factor);
   require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
   require(s.scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",

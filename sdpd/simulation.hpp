@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/list.hpp"
+#include "sdpd/kernel/list.hpp"
 #include "sdpd/observe/observation.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include <array>
@@ -10,8 +11,6 @@
 namespace mesobridge::sdpd {
 
 struct System;
-
-enum class KernelKind { cubic, lucy };
 
 /// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the equation of state
 /// (SI, but for reduced models), except where it says reduced.
@@ -24,7 +23,8 @@ struct SimulationSettings {
                                        10}; ///< particles along each edge of the initial cubic lattice
   double disorder =
       0; ///< standard deviation of the initial displacements from it, in lattice spacings, 0 ... 0.5
-  KernelKind kernel = KernelKind::cubic;
+  std::string kernel = "cubic"; ///< one of kernel_names()
+  DensityCorrection density_correction = {};
   double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
   double eta = 0;        ///< shear viscosity
   double zeta = 0;       ///< bulk viscosity, < 5 eta/3

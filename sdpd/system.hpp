@@ -14,6 +14,7 @@ struct System {
   Box box;
   std::unique_ptr<Thermodynamics const> thermodynamics;
   AnyKernel kernel;
+  double self_density; ///< what a particle adds to its own density
   SdpdFriction friction;
   Neighbours neighbours;
   Particles particles;
@@ -28,6 +29,7 @@ struct System {
   double kept_energy = 0;           ///< the total energy that Scheme::keep_energy restores
   std::vector<double> block_virial; ///< its parts, kept so that no step allocates
   std::vector<double> energy_gain;  ///< of the particles since their caloric expansions began, during a sweep
+  std::vector<Vec3> impulse;        ///< given to the particles by a sweep of SER
 
   std::size_t size() const { return particles.size(); }
 

@@ -4,14 +4,15 @@
 namespace mesobridge::sdpd {
 
 /// The cubic spline with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r, for a number
-/// or for lanes of numbers. Both are written without a branch, so that lanes cost no more.
+/// or for lanes of numbers. Both are written without a branch, so that lanes cost no more. `scale` multiplies
+/// both (see DensityCorrection).
 class CubicKernel {
  public:
   static constexpr char const* name = "cubic";
 
-  explicit CubicKernel(double h)
-      : h_(h), inv_h_(1 / h), W_norm_(8 / (std::numbers::pi * h * h * h)),
-        F_norm_(48 / (std::numbers::pi * h * h * h * h * h)) {}
+  explicit CubicKernel(double h, double scale = 1)
+      : h_(h), inv_h_(1 / h), W_norm_(scale * 8 / (std::numbers::pi * h * h * h)),
+        F_norm_(scale * 48 / (std::numbers::pi * h * h * h * h * h)) {}
 
   /// Valid for 0 <= r <= h; units of 1/h^3.
   template <class X>

@@ -1,11 +1,37 @@
 #pragma once
 #include "sdpd/kernel/cubic.hpp"
 #include "sdpd/kernel/lucy.hpp"
+#include "sdpd/kernel/wendland_c2.hpp"
+#include "sdpd/kernel/wendland_c4.hpp"
+#include "sdpd/kernel/wendland_c6.hpp"
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 namespace mesobridge::sdpd {
 
 /// Every kernel; the passes over the pairs choose once, outside their loops.
-using AnyKernel = std::variant<CubicKernel, LucyKernel>;
+using AnyKernel = std::variant<CubicKernel, LucyKernel, WendlandC2Kernel, WendlandC4Kernel, WendlandC6Kernel>;
+
+/// The mean density that a sum over neighbours gives is not the mass per volume: the particle's own term is
+/// too large or too small for the order of its surroundings. rho_i = scale sum_j m_j W_ij - self m_i W_ii(0),
+/// with constants, keeps the dynamics Hamiltonian (theory sheet, section 8.2).
+struct DensityCorrection {
+  double scale = 1; ///< c, > 0
+  double self = 0;  ///< epsilon, < c
+  bool operator==(DensityCorrection const&) const = default;
+};
+
+/// "cubic", "lucy", "wendland-c2" ...
+std::vector<std::string> kernel_names();
+
+/// The kernel of that name with support h, multiplied by `scale`. Throws InputError that lists the names.
+AnyKernel make_kernel(std::string_view name, double h, double scale = 1);
+
+/// Dehnen and Aly's self-term correction for particles in a glass, by their Eqs. (18) and (19): epsilon =
+/// epsilon_100 (N/100)^-a for `neighbours` N within the support (their N_H). Throws InputError for kernels
+/// other than Wendland's.
+DensityCorrection glass_correction(std::string_view kernel, double neighbours);
 
 } // namespace mesobridge::sdpd

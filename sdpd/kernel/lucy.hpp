@@ -4,14 +4,14 @@
 namespace mesobridge::sdpd {
 
 /// Lucy's kernel with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r, for a number or
-/// for lanes of numbers.
+/// for lanes of numbers. `scale` multiplies both (see DensityCorrection).
 class LucyKernel {
  public:
   static constexpr char const* name = "lucy";
 
-  explicit LucyKernel(double h)
-      : inv_h_(1 / h), W_norm_(105 / (16 * std::numbers::pi * h * h * h)),
-        F_norm_(315 / (4 * std::numbers::pi * h * h * h * h * h)) {}
+  explicit LucyKernel(double h, double scale = 1)
+      : inv_h_(1 / h), W_norm_(scale * 105 / (16 * std::numbers::pi * h * h * h)),
+        F_norm_(scale * 315 / (4 * std::numbers::pi * h * h * h * h * h)) {}
 
   /// Valid for 0 <= r <= h; units of 1/h^3.
   template <class X>

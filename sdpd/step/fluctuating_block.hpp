@@ -39,6 +39,7 @@ class FluctuatingBlock {
   /// Positions with 1/rho.
   std::vector<Row> const& rows() const { return rows_; }
   std::vector<std::uint32_t> const& ids() const { return ids_; }
+  BlockMembers const& members() const { return members_; }
   /// Where the particle is in memory.
   Index index(std::size_t local) const { return global_index(members_, local); }
 

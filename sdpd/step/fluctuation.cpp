@@ -259,6 +259,8 @@ void fluctuate(System& system, PairScheme scheme, double dt, bool second) {
     return fluctuate<PairScheme::ams>(system, dt, second);
   case PairScheme::ems:
     return fluctuate<PairScheme::ems>(system, dt, second);
+  case PairScheme::ser:
+    return fluctuate_ser(system, dt, second);
   }
 }
 

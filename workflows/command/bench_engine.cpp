@@ -72,7 +72,7 @@ Command bench_engine_command() {
           .declare = [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("--scheme", options->scheme, "time-stepping scheme")
-                ->check(CLI::IsMember({"ssa", "ams", "ems"}))
+                ->check(CLI::IsMember({"ssa", "ams", "ems", "ser"}))
                 ->capture_default_str();
             app.add_option("--fluctuate-every", options->fluctuate_every,
                            "conservative steps for one of fluctuation and dissipation")

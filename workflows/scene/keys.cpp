@@ -1,5 +1,6 @@
 #include "workflows/scene/keys.hpp"
 #include "md/error.hpp"
+#include "sdpd/kernel/list.hpp"
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -120,7 +121,7 @@ std::vector<SceneKey> const& scene_keys() {
           .in(at_least_one),
       Line(
           "particles", "kernel", [](Scene& s) { return &s.particles.kernel; }, "smoothing kernel")
-          .choices({"cubic", "lucy"}),
+          .choices(sdpd::kernel_names()),
       Line(
           "particles", "h_factor", [](Scene& s) { return &s.particles.h_factor; },
           "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
@@ -143,8 +144,9 @@ std::vector<SceneKey> const& scene_keys() {
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
           "what is done with the fluctuation and dissipation of a pair: made (ssa), not made when an energy "
           "leaves "
-          "the equation of state (ams), or put to a Metropolis test too (ems)")
-          .choices({"ssa", "ams", "ems"}),
+          "the equation of state (ams), put to a Metropolis test too (ems), or "
+          "all pairs at once, for short time steps (ser)")
+          .choices({"ssa", "ams", "ems", "ser"}),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20))")

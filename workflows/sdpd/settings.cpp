@@ -48,7 +48,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .K = scene.particles.K,
       .lattice = lattice_of(scene.particles.N),
       .disorder = scene.particles.disorder,
-      .kernel = scene.particles.kernel == "lucy" ? sdpd::KernelKind::lucy : sdpd::KernelKind::cubic,
+      .kernel = scene.particles.kernel,
       .h_factor = scene.particles.h_factor,
       .eta = scene.transport.eta,
       .zeta = scene.transport.zeta,

@@ -1,5 +1,5 @@
-#include "sdpd/kernel/cubic.hpp"
-#include "sdpd/kernel/lucy.hpp"
+#include "md/error.hpp"
+#include "sdpd/kernel/list.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,13 @@ namespace {
 
 template <class K>
 class Kernel : public ::testing::Test {};
-using Kernels = ::testing::Types<CubicKernel, LucyKernel>;
+template <class V>
+struct TypesOf;
+template <class... K>
+struct TypesOf<std::variant<K...>> {
+  using type = ::testing::Types<K...>;
+};
+using Kernels = TypesOf<AnyKernel>::type;
 TYPED_TEST_SUITE(Kernel, Kernels);
 
 TYPED_TEST(Kernel, HasIntegralOne) {
@@ -40,6 +46,27 @@ TYPED_TEST(Kernel, IsFiniteAtZeroAndVanishesAtItsSupport) {
   EXPECT_TRUE(std::isfinite(kernel.F(1e-100, 1e100)));
   EXPECT_NEAR(kernel.W(2.5), 0, 1e-15);
   EXPECT_NEAR(kernel.F(2.5, 1 / 2.5), 0, 1e-15);
+}
+
+TYPED_TEST(Kernel, IsScaledAsAWhole) {
+  TypeParam const plain(1.9), scaled(1.9, 1.25);
+  EXPECT_NEAR(scaled.W(0.7) / plain.W(0.7), 1.25, 1e-14);
+  EXPECT_NEAR(scaled.F(0.7, 1 / 0.7) / plain.F(0.7, 1 / 0.7), 1.25, 1e-14);
+}
+
+TEST(KernelList, FindsEveryKernelByItsNameAndRefusesOthers) {
+  auto const names = kernel_names();
+  EXPECT_EQ(names.size(), std::variant_size_v<AnyKernel>);
+  for (auto const& name : names)
+    EXPECT_EQ(std::visit([](auto const& kernel) { return std::string(kernel.name); }, make_kernel(name, 2.5)),
+              name);
+  EXPECT_THROW(make_kernel("gaussian", 2.5), InputError);
+}
+
+TEST(GlassCorrection, IsThatOfDehnenAndAly) {
+  EXPECT_NEAR(glass_correction("wendland-c2", 100).self, 0.0294, 1e-15);
+  EXPECT_NEAR(glass_correction("wendland-c6", 400).self, 0.0116 * std::pow(4, -2.236), 1e-15);
+  EXPECT_THROW(glass_correction("cubic", 100), InputError);
 }
 
 } // namespace

@@ -1,0 +1,35 @@
+#pragma once
+#include <numbers>
+
+namespace mesobridge::sdpd {
+
+/// Wendland's C6 kernel in three dimensions with support h (Dehnen and Aly, MNRAS 425 (2012) 1068): W(r) and
+/// F(r) with grad W = -F r, for a number or for lanes of numbers. It has no pairing instability. `scale`
+/// multiplies both (see DensityCorrection).
+class WendlandC6Kernel {
+ public:
+  static constexpr char const* name = "wendland-c6";
+
+  explicit WendlandC6Kernel(double h, double scale = 1)
+      : inv_h_(1 / h), W_norm_(1365.0 / (64 * std::numbers::pi * h * h * h) * scale),
+        F_norm_(22.0 * W_norm_ / (h * h)) {}
+
+  /// Valid for 0 <= r <= h; units of 1/h^3.
+  template <class X>
+  X W(X const& r) const {
+    X const u = r * inv_h_, v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
+    return W_norm_ * v4 * v4 * (1.0 + u * (8.0 + u * (25.0 + 32.0 * u)));
+  }
+
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5.
+  template <class X>
+  X F(X const& r, X const& /*inverse_r*/) const {
+    X const u = r * inv_h_, v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
+    return F_norm_ * v4 * v2 * v * (1.0 + u * (7.0 + 16.0 * u));
+  }
+
+ private:
+  double inv_h_, W_norm_, F_norm_;
+};
+
+} // namespace mesobridge::sdpd
