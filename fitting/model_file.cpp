@@ -1,5 +1,6 @@
 #include "fitting/model_file.hpp"
 #include "fitting/eos/lj_bwr_stability.hpp"
+#include "fitting/parametric_file.hpp"
 #include "fitting/toml_reader.hpp"
 #include <algorithm>
 #include <span>
@@ -44,6 +45,15 @@ std::string body(LjBwr const& lj) {
   if (auto const& units = lj.units())
     text += fmt::format("\n[units]\nsigma_m = {}\nepsilon_J = {}\nmass_kg = {}\n", exact(units->sigma),
                         exact(units->epsilon), exact(units->mass));
+  return text;
+}
+
+template <ParametricModel Model>
+std::string body(Model const& model) {
+  using Form = FileForm<Model>;
+  std::string text = fmt::format("kind = \"{}\"\n\n[{}]\n", Form::kind, Form::table);
+  for (auto const& key : Form::keys)
+    text += fmt::format("{} = {}\n", key.name, exact(model.parameters().*key.member));
   return text;
 }
 
@@ -102,6 +112,16 @@ LjBwr read_lj_bwr(TomlReader& file) {
   return eos;
 }
 
+template <ParametricModel Model>
+Model read_parametric(TomlReader& file) {
+  auto table = file.table(FileForm<Model>::table);
+  typename FileForm<Model>::P parameters{};
+  for (auto const& key : FileForm<Model>::keys)
+    parameters.*key.member = table.number(key.name);
+  table.refuse_unknown();
+  return Model(parameters);
+}
+
 Eigen::MatrixXd read_covariance(TomlReader table) {
   auto const rows = table.numbers("L", triangle);
   table.refuse_unknown();
@@ -122,13 +142,29 @@ ValidRange read_valid(TomlReader table) {
   return v;
 }
 
+/// The model of that kind, if it is one of these; otherwise their kinds are appended to `kinds`.
+template <ParametricModel... Models>
+std::optional<AnyEos> read_if_parametric(TomlReader& file, std::string_view kind, std::string& kinds) {
+  std::optional<AnyEos> found;
+  auto const attempt = [&]<class Model>(std::type_identity<Model>) {
+    if (kind == FileForm<Model>::kind)
+      found = read_parametric<Model>(file);
+    kinds += fmt::format(", \"{}\"", FileForm<Model>::kind);
+  };
+  (attempt(std::type_identity<Models>{}), ...);
+  return found;
+}
+
 AnyEos read_eos(TomlReader& file, toml::table const& table) {
   auto const kind = file.text("kind");
   if (kind == "ideal-gas")
     return read_ideal_gas(file);
   if (kind == "lj-bwr")
     return read_lj_bwr(file);
-  file.refuse(*table.get("kind"), "kind", "must be \"ideal-gas\" or \"lj-bwr\"");
+  std::string kinds = "\"ideal-gas\", \"lj-bwr\"";
+  if (auto const eos = read_if_parametric<MieGruneisen, Hz, Jwl, StiffenedGas>(file, kind, kinds))
+    return *eos;
+  file.refuse(*table.get("kind"), "kind", fmt::format("must be one of {}", kinds));
 }
 
 EosModel read_model(toml::table const& table, std::string const& file_name) {

@@ -10,6 +10,12 @@ std::vector<Material> const& materials() {
       {"lj", "Lennard-Jones fluid, BWR of Johnson et al. 1993 continued below T* = 0.8332, reduced units",
        LjBwr(lj_bwr_1993)},
       {"ideal-gas", "monatomic ideal gas, m0 = 1e-25 kg (the thesis's test gas), SI", IdealGas(1e-25)},
+      {"tin", "molten tin under shock, Mie-Gruneisen (thesis, Table 6.1), SI", MieGruneisen(tin_parameters)},
+      {"nitromethane", "unreacted nitromethane, HZ (thesis, Table 6.2), SI", Hz(nitromethane_parameters)},
+      {"nitromethane-products", "its detonation products, JWL (thesis, Table 6.3), SI",
+       Jwl(nitromethane_products_parameters)},
+      {"water", "liquid water, 298 to 473 K, stiffened gas (Le Metayer et al. 2004), SI",
+       StiffenedGas(water_parameters)},
   };
   return list;
 }

@@ -1,6 +1,10 @@
 #pragma once
+#include "fitting/eos/hz.hpp"
 #include "fitting/eos/ideal_gas.hpp"
+#include "fitting/eos/jwl.hpp"
 #include "fitting/eos/lj_bwr.hpp"
+#include "fitting/eos/mie_gruneisen.hpp"
+#include "fitting/eos/stiffened_gas.hpp"
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,7 +14,7 @@ namespace mesobridge::fitting {
 
 /// Every equation of state; the generic tests run over this list. Choose once by std::visit, outside the
 /// loop.
-using AnyEos = std::variant<IdealGas, LjBwr>;
+using AnyEos = std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, StiffenedGas>;
 
 /// A material that needs no file.
 struct Material {
@@ -19,7 +23,7 @@ struct Material {
   AnyEos eos;
 };
 
-/// `argon` (SI), `lj` (Lennard-Jones units), `ideal-gas` (SI).
+/// `lj...` in Lennard-Jones units, the others in SI.
 std::vector<Material> const& materials();
 
 /// Their names, separated by commas.

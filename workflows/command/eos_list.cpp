@@ -11,7 +11,7 @@ Result list(Context&) {
   result.json["models"] = Json::array();
   for (auto const& material : fitting::materials()) {
     result.json["models"].push_back({{"name", material.name}, {"description", material.description}});
-    result.text += fmt::format("{:<12} {}\n", material.name, material.description);
+    result.text += fmt::format("{:<22} {}\n", material.name, material.description);
   }
   return result;
 }

@@ -54,7 +54,7 @@ TEST(ModelFile, EveryMaterialReturns) {
     expect_same_bits(std::visit(energy, back.eos), std::visit(energy, material.eos));
     ++cases;
   }
-  EXPECT_EQ(cases, 3u);
+  EXPECT_EQ(cases, 7u);
 }
 
 TEST(ModelFile, AnyNumberReturnsBitForBit) {
@@ -102,7 +102,8 @@ TEST(ModelFile, ErrorsNameFileLineAndKey) {
                 "[1.0], "),
        "lj_bwr.x"},
       {replaced(good, "\nL = [", "\nL = [1.0, "), "covariance.L: must be an array of 528"},
-      {replaced(good, "kind = \"lj-bwr\"", "kind = \"jwl\""), "kind: must be \"ideal-gas\" or \"lj-bwr\""},
+      {replaced(good, "kind = \"lj-bwr\"", "kind = \"jwell\""),
+       "kind: must be one of \"ideal-gas\", \"lj-bwr\", \"mie-gruneisen\""},
       {replaced(good, "equation of state 1", "equation of state 9"), "format: must be"},
       {replaced(good, "kind =", "sort ="), "kind: missing"},
       {replaced(good, "[valid]", "[walid]"), "walid: unknown key"},

@@ -9,6 +9,15 @@ struct RandomState {
   double rho, T;
 };
 
+/// The density that a model without a highest one is made for.
+template <class E>
+double typical_density(E const& eos) {
+  if constexpr (requires { eos.parameters().rho_0; })
+    return eos.parameters().rho_0;
+  else
+    return 1000;
+}
+
 /// A state from all over a model's domain: log-uniform in temperature from a tenth of the natural unit, so
 /// that the low-temperature continuation is visited too; uniform in density.
 template <class E>
@@ -17,8 +26,8 @@ RandomState random_state(E const& eos, std::mt19937_64& generator) {
     return std::uniform_real_distribution<double>(low, high)(generator);
   };
   auto const domain = eos.domain();
-  bool const bounded = std::isfinite(domain.rho_max);
-  double const rho_max = bounded ? domain.rho_max : 5000, T_max = bounded ? domain.T_max : 1e5;
+  double const rho_max = std::isfinite(domain.rho_max) ? domain.rho_max : 3 * typical_density(eos),
+               T_max = std::isfinite(domain.T_max) ? domain.T_max : 1e5;
   return {uniform(1e-3, 1) * rho_max, T_max * std::pow(1e-3, uniform(0, 1))};
 }
 
@@ -28,6 +37,15 @@ template <class E>
 double interaction_temperature(E const& eos) {
   if constexpr (requires { eos.scale(); })
     return eos.scale().temperature;
+  else
+    return 0;
+}
+
+/// The size of the terms that cancel in the pressure at T = 0: the bulk modulus of a reference curve.
+template <class E>
+double cold_pressure(E const& eos, double rho) {
+  if constexpr (requires { eos.law(rho); })
+    return std::abs(eos.law(rho).P) + rho * std::abs(eos.law(rho).P_slope);
   else
     return 0;
 }
