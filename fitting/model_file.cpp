@@ -36,16 +36,28 @@ std::string body(IdealGas const& gas) {
                      exact(gas.molecular_mass()), exact(gas.dof()), exact(gas.boltzmann()));
 }
 
+std::string units_text(std::optional<LjUnits> const& units) {
+  if (!units)
+    return "";
+  return fmt::format("\n[units]\nsigma_m = {}\nepsilon_J = {}\nmass_kg = {}\n", exact(units->sigma),
+                     exact(units->epsilon), exact(units->mass));
+}
+
+std::string body(LjKolafaNezbeda const& lj) {
+  return "kind = \"lj-kn\"\n" + units_text(lj.units());
+}
+
+std::string body(LjThol const& lj) {
+  return "kind = \"lj-thol\"\n" + units_text(lj.units());
+}
+
 std::string body(LjBwr const& lj) {
   auto const& set = lj.set();
-  std::string text =
+  std::string const text =
       fmt::format("kind = \"lj-bwr\"\n\n# Lennard-Jones units\n[lj_bwr]\ngamma = {}\nT_low = {}\n"
                   "T_max = {}\nrho_max = {}\nx = {}\n",
                   exact(set.gamma), exact(set.T_low), exact(set.T_max), exact(set.rho_max), array(set.x));
-  if (auto const& units = lj.units())
-    text += fmt::format("\n[units]\nsigma_m = {}\nepsilon_J = {}\nmass_kg = {}\n", exact(units->sigma),
-                        exact(units->epsilon), exact(units->mass));
-  return text;
+  return text + units_text(lj.units());
 }
 
 template <ParametricModel Model>
@@ -161,7 +173,11 @@ AnyEos read_eos(TomlReader& file, toml::table const& table) {
     return read_ideal_gas(file);
   if (kind == "lj-bwr")
     return read_lj_bwr(file);
-  std::string kinds = "\"ideal-gas\", \"lj-bwr\"";
+  if (kind == "lj-kn")
+    return LjKolafaNezbeda(read_units(file));
+  if (kind == "lj-thol")
+    return LjThol(read_units(file));
+  std::string kinds = "\"ideal-gas\", \"lj-bwr\", \"lj-kn\", \"lj-thol\"";
   if (auto const eos = read_if_parametric<MieGruneisen, Hz, Jwl, StiffenedGas>(file, kind, kinds))
     return *eos;
   file.refuse(*table.get("kind"), "kind", fmt::format("must be one of {}", kinds));

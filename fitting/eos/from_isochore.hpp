@@ -5,10 +5,10 @@
 namespace mesobridge::fitting {
 
 /// The functions of (e, rho) of a model that defines
-///   isochore(rho)            see the Isochore concept; throws PhysicsError outside the model's densities,
-///   temperature_guess()      where the inversions of e(T) and s(T) begin when nothing better is known,
-///   T_max()                  the highest temperature of the model, or infinity,
-///   name                     for messages.
+///   isochore(rho)                 see the Isochore concept; throws PhysicsError outside the densities,
+///   require_temperature(T, rho)   throws PhysicsError outside the temperatures,
+///   temperature_guess()           where inversions of e(T) and s(T) begin when nothing better is known,
+///   name                          for messages.
 /// A state outside the model throws PhysicsError that names it.
 template <class Model>
 class FromIsochore {
@@ -49,15 +49,8 @@ class FromIsochore {
   }
   double energy_from_temperature(double T, double rho) const {
     auto const isochore = at(rho);
-    require_temperature(T, rho);
+    model().require_temperature(T, rho);
     return isochore.energy(T);
-  }
-
- protected:
-  void require_temperature(double T, double rho) const {
-    if (!(T > 0 && T <= model().T_max() && std::isfinite(T)))
-      throw PhysicsError(fmt::format("{} at density {}: temperature {} is outside 0 < T <= {}", Model::name,
-                                     rho, T, model().T_max()));
   }
 
  private:

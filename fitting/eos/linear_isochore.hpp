@@ -90,7 +90,11 @@ class LinearEos : public FromIsochore<Model> {
   }
 
   double temperature_guess() const { return 1; } // not needed
-  double T_max() const { return std::numeric_limits<double>::infinity(); }
+  void require_temperature(double T, double rho) const {
+    if (!(T > 0 && std::isfinite(T)))
+      throw PhysicsError(
+          fmt::format("{} at density {}: temperature {} must be > 0 and finite", Model::name, rho, T));
+  }
 
  private:
   Model const& model() const { return static_cast<Model const&>(*this); }

@@ -16,6 +16,9 @@ std::vector<Material> const& materials() {
        Jwl(nitromethane_products_parameters)},
       {"water", "liquid water, 298 to 473 K, stiffened gas (Le Metayer et al. 2004), SI",
        StiffenedGas(water_parameters)},
+      {"lj-kn", "Lennard-Jones fluid, Kolafa and Nezbeda 1994, 0.68 <= T* <= 20, reduced units",
+       LjKolafaNezbeda()},
+      {"lj-thol", "Lennard-Jones fluid, Thol et al. 2016, 0.661 <= T* <= 9, reduced units", LjThol()},
   };
   return list;
 }

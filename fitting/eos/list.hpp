@@ -2,9 +2,11 @@
 #include "fitting/eos/hz.hpp"
 #include "fitting/eos/ideal_gas.hpp"
 #include "fitting/eos/jwl.hpp"
+#include "fitting/eos/kolafa_nezbeda.hpp"
 #include "fitting/eos/lj_bwr.hpp"
 #include "fitting/eos/mie_gruneisen.hpp"
 #include "fitting/eos/stiffened_gas.hpp"
+#include "fitting/eos/thol.hpp"
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,7 +16,7 @@ namespace mesobridge::fitting {
 
 /// Every equation of state; the generic tests run over this list. Choose once by std::visit, outside the
 /// loop.
-using AnyEos = std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, StiffenedGas>;
+using AnyEos = std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, StiffenedGas, LjKolafaNezbeda, LjThol>;
 
 /// A material that needs no file.
 struct Material {

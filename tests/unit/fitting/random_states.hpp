@@ -18,6 +18,16 @@ double typical_density(E const& eos) {
     return 1000;
 }
 
+template <class E>
+bool has_state(E const& eos, RandomState const& state) {
+  try {
+    eos.energy_from_temperature(state.T, state.rho);
+    return true;
+  } catch (PhysicsError const&) {
+    return false;
+  }
+}
+
 /// A state from all over a model's domain: log-uniform in temperature from a tenth of the natural unit, so
 /// that the low-temperature continuation is visited too; uniform in density.
 template <class E>
@@ -28,7 +38,11 @@ RandomState random_state(E const& eos, std::mt19937_64& generator) {
   auto const domain = eos.domain();
   double const rho_max = std::isfinite(domain.rho_max) ? domain.rho_max : 3 * typical_density(eos),
                T_max = std::isfinite(domain.T_max) ? domain.T_max : 1e5;
-  return {uniform(1e-3, 1) * rho_max, T_max * std::pow(1e-3, uniform(0, 1))};
+  for (;;) {
+    RandomState const state{uniform(1e-3, 1) * rho_max, T_max * std::pow(1e-3, uniform(0, 1))};
+    if (has_state(eos, state))
+      return state;
+  }
 }
 
 /// The temperature below which a model's thermal scale k_B T no longer measures the terms that cancel in P
