@@ -28,6 +28,7 @@ class BasicFreeEnergyIsochore {
   BasicFreeEnergyIsochore(LjScale const& scale, X rho) : rho_(rho / scale.density), scale_(scale) {}
 
   X density() const { return rho_ * scale_.density; }
+  double T_min() const { return R::T_min(real_part(rho_)) * scale_.temperature; }
   X residual_free_energy(X T) const { return scale_.specific_energy * R::residual(rho_, reduced(T)); }
   X energy(X T) const {
     X const t = reduced(T);

@@ -40,17 +40,17 @@ class Hz : public LinearEos<Hz> {
 
   template <class X>
   LinearLaw<X> law(X rho) const {
+    using std::exp;
     auto const& p = p_;
     X const v = p.rho_0 / rho, x = 1.0 - v, inverse = 1.0 / (1.0 - p.s * x);
-    bool const compressed = real_part(x) >= 0;
-    double const c3 = compressed ? p.s / 3 : 0, c4 = compressed ? -p.s * (p.Gamma_0 - p.s) / 6 : 0;
+    X const c3 = by_sign(x, p.s / 3, 0), c4 = by_sign(x, -p.s * (p.Gamma_0 - p.s) / 6, 0);
     // E_ref = (c_0^2/2) M/(1 - s x) and two derivatives with respect to x
     X const M = x * x * (1.0 + x * (c3 + c4 * x));
-    X const M_1 = x * (2.0 + x * (3 * c3 + 4 * c4 * x));
-    X const M_2 = 2.0 + x * (6 * c3 + 12 * c4 * x);
-    X const g = M * inverse, g_1 = (M_1 + p.s * g) * inverse, g_2 = (M_2 + 2 * p.s * g_1) * inverse;
+    X const M_1 = x * (2.0 + x * (3.0 * c3 + 4.0 * c4 * x));
+    X const M_2 = 2.0 + x * (6.0 * c3 + 12.0 * c4 * x);
+    X const g = M * inverse, g_1 = (M_1 + p.s * g) * inverse, g_2 = (M_2 + 2.0 * p.s * g_1) * inverse;
     double const half = 0.5 * p.c_0 * p.c_0;
-    X const reference_heat = p.c_v * theta_0_ * std::exp(p.Gamma_0 * x); // c_v theta
+    X const reference_heat = p.c_v * theta_0_ * exp(p.Gamma_0 * x); // c_v theta
     return {.E = half * g - reference_heat,
             .P = p.rho_0 * (half * g_1 - p.Gamma_0 * reference_heat),
             .P_slope = v * v * (half * g_2 - p.Gamma_0 * p.Gamma_0 * reference_heat),

@@ -1,5 +1,5 @@
 #pragma once
-#include "fitting/eos/concept.hpp"
+#include "fitting/eos/linear_isochore.hpp"
 #include "fitting/eos/temperature_series.hpp"
 #include "md/error.hpp"
 #include "md/units.hpp"
@@ -76,6 +76,21 @@ class IdealGas {
     return {rho, c_v(), R()};
   }
 
+  /// The same as a LinearModel.
+  template <class X>
+  LinearLaw<X> law(X rho) const {
+    using std::log;
+    double const Gamma = 2 / dof_;
+    return {.E = 0.0,
+            .P = 0.0,
+            .P_slope = 0.0,
+            .Gamma = Gamma,
+            .rho_Gamma_slope = Gamma,
+            .phi = Gamma * log(rho) - std::log(c_v())};
+  }
+  double c_v() const { return 0.5 * dof_ * R(); }
+  double rho_max() const { return std::numeric_limits<double>::infinity(); }
+
   double temperature(double e, double rho) const { return isochore(rho).temperature_from_energy(e, 1); }
   double entropy(double e, double rho) const { return isochore(rho).entropy(temperature(e, rho)); }
   double pressure(double e, double rho) const { return isochore(rho).pressure(temperature(e, rho)); }
@@ -101,7 +116,6 @@ class IdealGas {
 
  private:
   double R() const { return boltzmann_ / m0_; }
-  double c_v() const { return 0.5 * dof_ * R(); }
 
   double m0_, dof_, boltzmann_;
 };

@@ -46,10 +46,11 @@ class Jwl : public LinearEos<Jwl> {
 
   template <class X>
   LinearLaw<X> law(X rho) const {
+    using std::exp, std::log;
     auto const& p = p_;
-    X const v = p.rho_0 / rho, log_rho = std::log(rho);
-    X const A = p.a * std::exp(-p.R_1 * v), B = p.b * std::exp(-p.R_2 * v);
-    X const power = K_ * std::exp(p.Gamma_0 * (log_rho - log_rho_0_)); // K v^-Gamma_0
+    X const v = p.rho_0 / rho, log_rho = log(rho);
+    X const A = p.a * exp(-p.R_1 * v), B = p.b * exp(-p.R_2 * v);
+    X const power = K_ * exp(p.Gamma_0 * (log_rho - log_rho_0_)); // K v^-Gamma_0
     return {.E = (A / p.R_1 + B / p.R_2 + power / p.Gamma_0) / p.rho_0 + C_ek_,
             .P = A + B + power / v,
             .P_slope = (v * (A * p.R_1 + B * p.R_2) + (p.Gamma_0 + 1) * power / v) / rho,

@@ -66,8 +66,22 @@ class BasicLinearIsochore {
   std::string_view name_;
 };
 
+/// A model that states its isochores by laws.
+template <class E>
+concept LinearModel = requires(E const& eos, double rho) {
+  { eos.law(rho) } -> std::same_as<LinearLaw<double>>;
+  { eos.c_v() } -> std::same_as<double>;
+  { eos.rho_max() } -> std::same_as<double>;
+};
+
+/// x >= 0 ? not_negative : negative
+template <class X>
+X by_sign(X x, double not_negative, double negative) {
+  return real_part(x) >= 0 ? not_negative : negative;
+}
+
 /// Makes an equation of state of a model that defines
-///   law(rho)          LinearLaw, for X = double and std::complex<double>,
+///   law(rho)          LinearLaw of any number type (double, complex, Pack),
 ///   c_v(), rho_max()  rho_max is excluded; infinity when there is no bound,
 ///   name              for messages.
 template <class Model>
@@ -83,7 +97,7 @@ class LinearEos : public FromIsochore<Model> {
       throw PhysicsError(
           fmt::format("{}: density {} is outside 0 < rho < {}", Model::name, density, model().rho_max()));
     LinearLaw<X> const law = model().law(rho);
-    if (!std::isfinite(real_part(law.E + law.P + law.P_slope + law.Gamma + law.phi)))
+    if (!std::isfinite(real_part(law.E + law.P + law.P_slope + law.Gamma)))
       throw PhysicsError(
           fmt::format("{}: density {} is too extreme, its energy overflows", Model::name, density));
     return {Model::name, rho, model().c_v(), law};

@@ -47,13 +47,14 @@ class MieGruneisen : public LinearEos<MieGruneisen> {
 
   template <class X>
   LinearLaw<X> law(X rho) const {
+    using std::exp, std::log;
     auto const& p = p_;
     double const n = p.N_s + 1, excess = p.Gamma_0 - p.Gamma_inf;
-    X const y = 1.0 - p.rho_s / rho, F = std::exp(n * y);
-    X const log_rho = std::log(rho / p.rho_0), power = excess * std::exp(-p.q * log_rho);
+    X const y = 1.0 - p.rho_s / rho, F = exp(n * y);
+    X const log_rho = log(rho / p.rho_0), power = excess * exp(-p.q * log_rho);
     X const Gamma = p.Gamma_inf + power, rho_Gamma_slope = Gamma - p.q * power;
     X const phi = log_Theta_ur_ + p.Gamma_inf * log_rho + (excess - power) / p.q;
-    X const reference_heat = p.c_v * std::exp(phi); // c_v T_k
+    X const reference_heat = p.c_v * exp(phi); // c_v T_k
     return {.E = p.K_s / p.rho_s * (F / n - y) / n - reference_heat,
             .P = p.K_s * (F - 1.0) / n - rho * Gamma * reference_heat,
             .P_slope = p.K_s * F * p.rho_s / (rho * rho) - (rho_Gamma_slope + Gamma * Gamma) * reference_heat,

@@ -29,13 +29,14 @@ class StiffenedGas : public LinearEos<StiffenedGas> {
 
   template <class X>
   LinearLaw<X> law(X rho) const {
+    using std::log;
     double const Gamma = p_.gamma - 1;
     return {.E = p_.q + p_.P_inf / rho,
             .P = -p_.P_inf,
             .P_slope = 0.0,
             .Gamma = Gamma,
             .rho_Gamma_slope = Gamma,
-            .phi = Gamma * std::log(rho)};
+            .phi = Gamma * log(rho)};
   }
 
   double c_v() const { return p_.c_v; }
