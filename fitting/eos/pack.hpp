@@ -126,4 +126,13 @@ inline bool all_between_zero_and(Pack x, double bound) {
   return all != 0;
 }
 
+/// Whether low <= x <= high in all of them; false for a NaN.
+inline bool all_within(Pack x, double low, double high) {
+  auto const inside = (x.v >= low) & (x.v <= high);
+  std::int64_t all = -1;
+  for (int lane = 0; lane < Pack::size; ++lane)
+    all &= inside[lane];
+  return all != 0;
+}
+
 } // namespace mesobridge::fitting

@@ -1,8 +1,7 @@
 #include "fitting/eos/evaluate.hpp"
-#include "fitting/model_file.hpp"
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
-#include "workflows/text_file.hpp"
+#include "workflows/eos_options.hpp"
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
 
@@ -11,7 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string model;
+  EosOptions eos;
   double rho = 0;
   std::optional<double> T, e, s;
 };
@@ -49,8 +48,7 @@ bool outside_its_data(fitting::EosModel const& model, double rho, double T) {
 }
 
 Result eval(Options const& options, Context const& context) {
-  auto const model =
-      fitting::load_eos(options.model, [](std::string const& file) { return read_text_file(file); });
+  auto const model = options.eos.load();
   auto const state = state_of(model.eos, options);
   bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
   if (outside_its_data(model, state.rho, state.T))
@@ -68,7 +66,7 @@ Result eval(Options const& options, Context const& context) {
       {"alpha_r", "", "", state.alpha_r},
   };
   Result result;
-  result.json["model"] = options.model;
+  result.json["model"] = options.eos.model;
   for (auto const& line : lines) {
     if (!line.value) // no sound inside the liquid-gas region, no residual energy of models that have no such
                      // part
@@ -88,9 +86,7 @@ Command eos_eval_command() {
           .example = "mesobridge eos eval --model argon --rho 1150 --T 1000",
           .declare = [](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
-            app.add_option("--model", options->model, "A name of `eos list`, or a fitted model's file")
-                ->required()
-                ->type_name("NAME|FILE");
+            options->eos.declare(app);
             app.add_option("--rho", options->rho, "Density, in the model's units (SI: kg/m^3)")->required();
             app.add_option("--T", options->T, "Temperature (SI: K)");
             app.add_option("--e", options->e, "Instead of --T: energy per mass (SI: J/kg)");

@@ -10,8 +10,16 @@ Result list(Context&) {
   Result result;
   result.json["models"] = Json::array();
   for (auto const& material : fitting::materials()) {
-    result.json["models"].push_back({{"name", material.name}, {"description", material.description}});
-    result.text += fmt::format("{:<22} {}\n", material.name, material.description);
+    auto const domain = std::visit([](auto const& eos) { return eos.domain(); }, material.eos);
+    // A bound that is infinite, which JSON has no number for, is null.
+    result.json["models"].push_back({{"name", material.name},
+                                     {"description", material.description},
+                                     {"rho_max", domain.rho_max},
+                                     {"T_min", domain.T_min},
+                                     {"T_max", domain.T_max},
+                                     {"edge", domain.edge}});
+    result.text +=
+        fmt::format("{:<22} {}\n{:<22} edge: {}\n", material.name, material.description, "", domain.edge);
   }
   return result;
 }

@@ -17,6 +17,7 @@ Command check_command();
 Command run_command();
 Command workflow_lj_to_sdpd_command();
 Command bench_engine_command();
+Command bench_eos_command();
 Command doctor_command();
 
 } // namespace mesobridge::workflows
