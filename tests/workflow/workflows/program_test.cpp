@@ -20,6 +20,39 @@ ProcessResult program(std::vector<std::string> words) {
 
 std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
 
+TEST(Program, EvaluatesAnIdealGasOfAnyGamma) {
+  // Air as a diatomic gas: c^2 = gamma P/rho.
+  int cases = 0;
+  for (std::vector<std::string> const& gas : {std::vector<std::string>{"--gamma", "1.4"}, {"--dof", "5"}}) {
+    std::vector<std::string> words{"eos", "eval", "--model", "ideal-gas", "--rho", "1.2",
+                                   "--T", "300",  "--m0",    "4.81e-26",  "--json"};
+    words.insert(words.end(), gas.begin(), gas.end());
+    auto const result = program(words);
+    ASSERT_EQ(result.status, 0) << result.errors;
+    auto const json = Json::parse(result.output);
+    double const P = json["P_Pa"], c = json["sound_speed_m_s"];
+    EXPECT_NEAR(P, 1.2 * 1.380649e-23 * 300 / 4.81e-26, 1e-6 * P);
+    EXPECT_NEAR(c, std::sqrt(1.4 * P / 1.2), 1e-9 * c);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 2);
+}
+
+TEST(Program, TimesTheEquationsOfState) {
+  auto const result = program({"bench", "eos", "--states", "64", "--repeats", "1", "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  EXPECT_EQ(json["ns_per_call"].size(), 10u); // nine materials and the table
+  int cases = 0;
+  for (auto const& [model, calls] : json["ns_per_call"].items())
+    for (auto const& [call, ns] : calls.items()) {
+      EXPECT_GT(ns.get<double>(), 0) << model << " " << call;
+      ++cases;
+    }
+  EXPECT_EQ(cases, 60);
+  EXPECT_LT(json["table"]["relative_error_P"], 1e-8);
+}
+
 TEST(Program, BadInputHasACodeAndOneClearMessage) {
   ScratchDirectory const scratch;
   write_text_file(scratch / "bad.toml", "title = \"x\"\n[fluid]\nrhp = 1\n");
@@ -42,6 +75,11 @@ TEST(Program, BadInputHasACodeAndOneClearMessage) {
       {{"eos", "eval", "--model", "argon", "--rho", "1150"}, 2, "exactly one of them"},
       {{"eos", "eval", "--model", "argom", "--rho", "1150", "--T", "1000"}, 2, "argom"},
       {{"eos", "eval", "--model", "argon", "--rho", "1e6", "--T", "1000"}, 3, "outside"},
+      {{"eos", "eval", "--model", "tin", "--gamma", "1.4", "--rho", "7000", "--T", "300"}, 2, "ideal gas"},
+      {{"eos", "eval", "--model", "ideal-gas", "--gamma", "1", "--rho", "1", "--T", "300"}, 2, "gamma = 1"},
+      {{"eos", "eval", "--model", "nitromethane", "--rho", "2280", "--T", "300"}, 3, "outside 0 < rho"},
+      {{"eos", "eval", "--model", "lj-thol", "--rho", "0.3", "--T", "1"}, 3, "outside 1.2 <= T*"},
+      {{"bench", "eos", "--model", "argom"}, 2, "argom"},
       {{"cg", "state-grid", "/no/such.h5"}, 2, "/no/such.h5"},
       {{"cg", "state-grid", scratch / "bad.toml"}, 2, "not an HDF5 file"},
       {{"fit", "lj-bwr", scratch / "bad.toml"}, 2, "not an HDF5 file"},
