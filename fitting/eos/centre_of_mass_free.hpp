@@ -77,7 +77,7 @@ class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>> {
     return CentreOfMassFreeIsochore<Inner, X>(bulk_.isochore(rho), r_, T_min_, T_max_);
   }
   void require_temperature(double T, double rho) const { bulk_.energy_from_temperature(T, rho); }
-  double temperature_guess() const { return std::sqrt(T_min_ * T_max_); }
+  double temperature_guess() const { return std::max(T_min_, 0.05 * T_max_); }
   Domain domain() const { return bulk_.domain(); }
   double molecular_mass() const { return bulk_.molecular_mass(); }
   double boltzmann() const { return bulk_.boltzmann(); }

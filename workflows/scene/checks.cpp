@@ -1,17 +1,27 @@
 #include "workflows/scene/checks.hpp"
+#include "fitting/eos/list.hpp"
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include <algorithm>
-#include <array>
 
 namespace mesobridge::workflows {
 
 namespace {
 
-std::array<std::string, 3> const built_in_models{"argon", "ideal-gas", "lj"};
+std::vector<std::string> built_in_models() {
+  std::vector<std::string> names;
+  for (auto const& material : fitting::materials())
+    names.push_back(material.name);
+  return names;
+}
 
 bool is_built_in(std::string const& eos) {
-  return std::find(built_in_models.begin(), built_in_models.end(), eos) != built_in_models.end();
+  return std::ranges::find(fitting::materials(), eos, &fitting::Material::name) != fitting::materials().end();
+}
+
+/// Whether a built-in model is in Lennard-Jones units.
+bool is_reduced(std::string const& eos) {
+  return std::visit([](auto const& model) { return model.boltzmann() == 1; }, fitting::material(eos).eos);
 }
 
 template <class Value>
@@ -25,9 +35,9 @@ void check_fluid(Scene const& scene, Places const& places) {
   bool const reduced = scene.units == UnitSystem::lj;
   bool const ideal = fluid.eos == "ideal-gas";
   if (is_built_in(fluid.eos))
-    require_together((fluid.eos == "lj") == reduced, places, "fluid.eos", fluid.eos,
-                     reduced ? "scenes with units = \"lj\" take \"lj\" or a reduced model"
-                             : "\"lj\" wants units = \"lj\"");
+    require_together(is_reduced(fluid.eos) == reduced, places, "fluid.eos", fluid.eos,
+                     reduced ? "is a model in SI; scenes with units = \"lj\" take \"lj\" or a reduced model"
+                             : "is a reduced model, which wants units = \"lj\"");
   require_together(!ideal || fluid.m0, places, "fluid.eos", fluid.eos,
                    "needs the mass of a molecule, fluid.m0");
   if (fluid.m0)
@@ -53,10 +63,9 @@ void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Place
   if (is_built_in(eos))
     return;
   if (!eos.ends_with(".toml"))
-    throw InputError(
-        fmt::format("{}: fluid.eos = \"{}\": must be \"argon\", \"ideal-gas\", \"lj\" or the path of a "
-                    "model file (.toml){}",
-                    places.of("fluid.eos"), eos, did_you_mean(eos, built_in_models)));
+    throw InputError(fmt::format(
+        "{}: fluid.eos = \"{}\": must be one of {} or the path of a model file (.toml){}",
+        places.of("fluid.eos"), eos, fitting::material_names(), did_you_mean(eos, built_in_models())));
   auto const path = std::filesystem::absolute(folder / eos).lexically_normal();
   require_together(std::filesystem::is_regular_file(path), places, "fluid.eos", eos,
                    fmt::format("there is no model file '{}'", path.string()));

@@ -97,7 +97,8 @@ std::vector<SceneKey> const& scene_keys() {
 
       Line(
           "fluid", "eos", [](Scene& s) { return &s.fluid.eos; },
-          "argon, ideal-gas (SI), lj (lj), or the path of a fitted model, seen from the scene's folder")
+          "a name of `eos list` (argon, tin, lj ...), or the path of a fitted model, seen from the scene's "
+          "folder")
           .required(),
       Line(
           "fluid", "rho", [](Scene& s) { return &s.fluid.rho; }, "mean density")

@@ -23,7 +23,7 @@ struct Scene {
   std::string title;
   UnitSystem units = UnitSystem::SI;
   struct Fluid {
-    std::string eos; ///< "argon", "ideal-gas", "lj", or the path of a fitted model
+    std::string eos; ///< a name of `eos list`, or the path of a fitted model
     double rho = 0, T = 0;
     std::optional<double> m0;
     bool operator==(Fluid const&) const = default;

@@ -1,5 +1,6 @@
 #include "fitting/eos/evaluate.hpp"
 #include "unit/fitting/random_states.hpp"
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -74,6 +75,45 @@ TEST(EosInversion, RefusesStatesWithoutATemperature) {
             EXPECT_THROW(eos.isochore(bad), PhysicsError);
         },
         material.eos);
+    ++models;
+  }
+  EXPECT_EQ(models, 9);
+}
+
+/// Whether f throws a PhysicsError that says both words.
+bool refuses(std::function<void()> const& f, std::string const& word, std::string const& value) {
+  try {
+    f();
+  } catch (PhysicsError const& error) {
+    std::string const what = error.what();
+    return what.find(word) != std::string::npos && what.find(value) != std::string::npos;
+  }
+  return false;
+}
+
+template <class E>
+int refused_calls(E const& eos) {
+  double const rho = std::isfinite(eos.domain().rho_max) ? 0.5 * eos.domain().rho_max : 1000;
+  int refused = 0;
+  for (auto const &call : std::vector<std::function<void(double, double)>>{
+           [&](double a, double r) { eos.temperature(a, r); }, [&](double a, double r) { eos.entropy(a, r); },
+           [&](double a, double r) { eos.pressure(a, r); },
+           [&](double a, double r) { eos.heat_capacity(a, r); },
+           [&](double a, double r) { eos.sound_speed(a, r); },
+           [&](double a, double r) { eos.energy_from_entropy(a, r); }}) {
+    refused += refuses([&] { call(1, -2.5); }, "density", "-2.5");
+    refused += refuses([&] { call(nan, rho); }, "density", "nan");
+  }
+  refused += refuses([&] { eos.energy_from_temperature(1, -2.5); }, "density", "-2.5");
+  refused += refuses([&] { eos.energy_from_temperature(-3.5, rho); }, "temperature", "-3.5");
+  return refused;
+}
+
+TEST(EosInversion, EveryCallOutsideTheDomainIsRefusedByName) {
+  int models = 0;
+  for (auto const& material : materials()) {
+    SCOPED_TRACE(material.name);
+    EXPECT_EQ(std::visit([](auto const& eos) { return refused_calls(eos); }, material.eos), 14);
     ++models;
   }
   EXPECT_EQ(models, 9);

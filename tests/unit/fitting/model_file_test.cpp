@@ -1,4 +1,5 @@
 #include "fitting/model_file.hpp"
+#include "fitting/parametric_file.hpp"
 #include "unit/fitting/synthetic_grid.hpp"
 #include <bit>
 #include <gtest/gtest.h>
@@ -124,6 +125,62 @@ TEST(ModelFile, ErrorsNameFileLineAndKey) {
     }
   }
   EXPECT_EQ(refused, cases.size());
+}
+
+std::string refusal(std::string const& text) {
+  try {
+    parse_model(text, "m.toml");
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// Spoils every key of a parametric model's file in turn; returns how many spoilt files were tried.
+template <class Model>
+int spoil_each_key(Model const& model) {
+  auto const text = to_toml({model, {}, {}, {}, {}});
+  std::string const table(FileForm<Model>::table);
+  int cases = 0;
+  for (auto const& key : FileForm<Model>::keys) {
+    std::string const name(key.name), line = "\n" + name + " = ";
+    auto expect = [&](std::string const& with, std::string const& message) {
+      auto const what = refusal(replaced(text, line, with));
+      EXPECT_EQ(what.rfind("m.toml:", 0), 0u) << what;
+      EXPECT_NE(what.find(table + "." + name + message), std::string::npos) << what;
+      ++cases;
+    };
+    expect("\n#" + name + " = ", ": missing");
+    expect("\n" + name + "x = 1\n#", ": missing");
+    expect(line + "nan #", ": must be a finite number");
+    expect(line + "true #", ": must be a finite number");
+  }
+  EXPECT_NE(
+      refusal(replaced(text, "\n[" + table + "]", "\n[" + table + "]\ncolour = 1")).find("colour: unknown"),
+      std::string::npos);
+  EXPECT_NE(refusal(replaced(text, "c_v_J_kg_K = ", "c_v_J_kg_K = -")).find("c_v"), std::string::npos);
+  return cases;
+}
+
+TEST(ModelFile, ParametricModelsAreReadStrictly) {
+  int cases = 0;
+  for (auto const& material : materials())
+    std::visit(
+        [&]<class Model>(Model const& model) {
+          if constexpr (ParametricModel<Model>)
+            cases += spoil_each_key(model);
+        },
+        material.eos);
+  EXPECT_EQ(cases, 4 * (11 + 8 + 12 + 5));
+}
+
+TEST(ModelFile, LjReferencesReturnInTheirUnits) {
+  auto const text = to_toml({LjThol(argon_units), {}, {}, {}, {}});
+  auto const back = std::get<LjThol>(parse_model(text, "thol.toml").eos);
+  EXPECT_EQ(back.units()->sigma, argon_units.sigma);
+  expect_same_bits(back.energy_from_temperature(300, 1150),
+                   LjThol(argon_units).energy_from_temperature(300, 1150));
+  EXPECT_EQ(to_toml({back, {}, {}, {}, {}}), text);
 }
 
 TEST(ModelFile, TheLineIsTheRightOne) {
