@@ -111,6 +111,16 @@ class Tabulated : public FromIsochore<Tabulated> {
     return Tabulated(source_of(eos), region, relative_error);
   }
 
+  // Straight from the spline, without the temperature in between.
+  double entropy(double e, double rho) const { return table_->at(e, rho).s; }
+  double pressure(double e, double rho) const {
+    auto const s = table_->at(e, rho);
+    return -rho * rho * s.rho / s.e;
+  }
+  double heat_capacity(double e, double rho) const {
+    auto const s = table_->at(e, rho);
+    return -s.e * s.e / s.ee;
+  }
   TabulatedIsochore isochore(double rho) const { return {*table_, rho}; }
   double temperature_guess() const { return table_->T_min; }
   void require_temperature(double T, double rho) const;

@@ -6,6 +6,11 @@ namespace mesobridge::workflows {
 
 namespace {
 
+/// JSON has no number for a bound at infinity.
+Json bound(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
 Result list(Context&) {
   Result result;
   result.json["models"] = Json::array();
@@ -13,12 +18,11 @@ Result list(Context&) {
     auto const domain = std::visit([](auto const& eos) { return eos.domain(); }, material.eos);
     bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, material.eos);
     std::string const density = reduced ? "" : "_kg_m3", kelvin = reduced ? "" : "_K";
-    // A bound that is infinite, which JSON has no number for, is null.
     result.json["models"].push_back({{"name", material.name},
                                      {"description", material.description},
-                                     {"rho_max" + density, domain.rho_max},
-                                     {"T_min" + kelvin, domain.T_min},
-                                     {"T_max" + kelvin, domain.T_max},
+                                     {"rho_max" + density, bound(domain.rho_max)},
+                                     {"T_min" + kelvin, bound(domain.T_min)},
+                                     {"T_max" + kelvin, bound(domain.T_max)},
                                      {"edge", domain.edge}});
     result.text +=
         fmt::format("{:<22} {}\n{:<22} edge: {}\n", material.name, material.description, "", domain.edge);

@@ -6,7 +6,7 @@ namespace mesobridge::fitting::test {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int states = 20000, many_states = 1000000;
+constexpr int states = 10000, many_states = 1000000;
 constexpr double tolerance = 1e-10;
 
 /// Derivatives by complex steps: exact to round-off, no differences are formed.

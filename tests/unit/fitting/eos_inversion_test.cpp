@@ -7,7 +7,7 @@
 namespace mesobridge::fitting::test {
 namespace {
 
-constexpr int states = 10000, many_states = 1000000;
+constexpr int states = 2500, many_states = 1000000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class E>

@@ -38,6 +38,19 @@ TEST(Program, EvaluatesAnIdealGasOfAnyGamma) {
   EXPECT_EQ(cases, 2);
 }
 
+TEST(Program, ListsEveryModelWithItsDomain) {
+  auto const json = Json::parse(program({"eos", "list", "--json"}).output);
+  ASSERT_EQ(json["models"].size(), 9u);
+  int cases = 0;
+  for (auto const& model : json["models"]) {
+    bool const reduced = model["name"].get<std::string>().starts_with("lj");
+    EXPECT_TRUE(model.contains(reduced ? "rho_max" : "rho_max_kg_m3"));
+    EXPECT_GT(model["edge"].get<std::string>().size(), 10u);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 9);
+}
+
 TEST(Program, TimesTheEquationsOfState) {
   auto const result = program({"bench", "eos", "--states", "64", "--repeats", "1", "--json"});
   ASSERT_EQ(result.status, 0) << result.errors;
