@@ -1,0 +1,83 @@
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/eos/curve_output.hpp"
+#include "workflows/eos/named_fluid.hpp"
+#include "workflows/eos/shock_options.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::string model;
+  InitialState initial;
+  ShockOptions shock;
+};
+
+Plot hugoniot_plot(NamedFluid const& model, fitting::Hugoniot const& hugoniot,
+                   std::vector<fitting::Shock> const& curve, std::optional<fitting::Shock> const& asked) {
+  auto states = states_behind(curve);
+  states.insert(states.begin(), hugoniot.ahead());
+  Plot plot{.name = "hugoniot",
+            .title = plain("Hugoniot curve of " + model.name),
+            .x = {.label = density_label(model.reduced)},
+            .panels = {Panel{}}};
+  auto& panel = plot.panels[0];
+  panel.y.label = pressure_label(model.reduced);
+  panel.series.push_back(pressure_series("Hugoniot", states, model.reduced));
+  panel.series.push_back({.label = "at rest",
+                          .x = {hugoniot.ahead().rho},
+                          .y = {hugoniot.ahead().P / pressure_unit(model.reduced)}});
+  if (asked)
+    panel.series.push_back({.label = "behind the shock",
+                            .x = {asked->behind.rho},
+                            .y = {asked->behind.P / pressure_unit(model.reduced)}});
+  return plot;
+}
+
+Result hugoniot(Options const& options, Context const& context) {
+  if (context.options.output)
+    curve_file(*context.options.output);
+  auto const model = load_fluid(options.model);
+  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
+  auto const asked = options.shock.shock(hugoniot);
+  Result result;
+  result.json["model"] = options.model;
+  if (asked) {
+    auto const columns = shock_columns({*asked});
+    put_first_row(result.json, columns, model.reduced);
+    result.text = lines_text(columns, model.reduced);
+  }
+  put_first_row(result.json["ahead"], state_columns({hugoniot.ahead()}), model.reduced);
+  if (!options.shock.P_max && !context.options.output)
+    return result;
+  auto const curve = options.shock.curve(hugoniot, asked);
+  auto const columns = shock_columns(curve);
+  result.json["curve"] = arrays(columns, model.reduced);
+  write_curve(
+      context, result, [&] { return csv_text(columns, model.reduced); },
+      [&] { return hugoniot_plot(model, hugoniot, curve, asked); });
+  if (!asked && !context.options.output)
+    result.text = csv_text(columns, model.reduced);
+  return result;
+}
+
+} // namespace
+
+Command eos_hugoniot_command() {
+  return {.name = "eos hugoniot",
+          .summary = "The state behind a shock, and the Hugoniot curve (-o FILE.csv, .svg or .html)",
+          .example = "mesobridge eos hugoniot --model argon --rho0 1150 --T0 500 --vp 500",
+          .declare = [](CLI::App& app) -> Command::Action {
+            auto options = std::make_shared<Options>();
+            app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
+                ->required()
+                ->type_name("NAME|FILE");
+            options->initial.declare(app);
+            options->shock.declare(app);
+            return [options](Context& context) { return hugoniot(*options, context); };
+          }};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,99 @@
+#include "fitting/isentrope.hpp"
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/eos/curve_output.hpp"
+#include "workflows/eos/named_fluid.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::string model;
+  InitialState initial;
+  std::optional<double> rho, P;
+  int points = 60;
+};
+
+/// States at densities in geometric progression, and the velocity that matter gains on the way.
+Columns along(fitting::Isentrope const& isentrope, fitting::EosState const& to, int points) {
+  auto const& from = isentrope.from();
+  std::vector<fitting::EosState> states;
+  Column velocity{"velocity_change", "_m_s", "m/s", {}};
+  for (int i = 0; i <= points; ++i) {
+    double const rho = i == points ? to.rho : from.rho * std::pow(to.rho / from.rho, double(i) / points);
+    states.push_back(isentrope.at_density(rho));
+    velocity.values.push_back(isentrope.velocity_change(from.rho, rho));
+  }
+  auto columns = state_columns(states);
+  columns.push_back(std::move(velocity));
+  return columns;
+}
+
+Columns last_row(Columns columns) {
+  for (auto& c : columns)
+    c.values = {c.values.back()};
+  return columns;
+}
+
+Plot isentrope_plot(NamedFluid const& model, Columns const& columns) {
+  Plot plot{.name = "isentrope",
+            .title = plain("Isentrope of " + model.name),
+            .x = {.label = density_label(model.reduced)},
+            .panels = {Panel{.legend = Legend::none}}};
+  plot.panels[0].y.label = pressure_label(model.reduced);
+  Series series{.style = SeriesStyle::lines};
+  for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
+    series.x.push_back(*columns[0].values[i]);
+    series.y.push_back(*columns[2].values[i] / pressure_unit(model.reduced));
+  }
+  plot.panels[0].series.push_back(std::move(series));
+  return plot;
+}
+
+Result isentrope(Options const& options, Context const& context) {
+  if (context.options.output)
+    curve_file(*context.options.output);
+  require(options.rho.has_value() != options.P.has_value(), "options --rho, --P",
+          int{options.rho.has_value()} + int{options.P.has_value()}, "exactly one of them must be given");
+  require(options.points >= 2 && options.points <= 100000, "--points", options.points,
+          "must lie between 2 and 100000");
+  if (options.rho)
+    require(*options.rho > 0 && std::isfinite(*options.rho), "--rho", *options.rho, "must be > 0");
+  auto const model = load_fluid(options.model);
+  fitting::Isentrope const isentrope(model.fluid, options.initial.of(model.fluid));
+  auto const to = options.rho ? isentrope.at_density(*options.rho) : isentrope.at_pressure(*options.P);
+  auto const columns = along(isentrope, to, options.points), end = last_row(columns);
+  Result result;
+  result.json["model"] = options.model;
+  put_first_row(result.json, end, model.reduced);
+  put_first_row(result.json["from"], state_columns({isentrope.from()}), model.reduced);
+  result.json["curve"] = arrays(columns, model.reduced);
+  result.text = lines_text(end, model.reduced);
+  write_curve(
+      context, result, [&] { return csv_text(columns, model.reduced); },
+      [&] { return isentrope_plot(model, columns); });
+  return result;
+}
+
+} // namespace
+
+Command eos_isentrope_command() {
+  return {.name = "eos isentrope",
+          .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
+          .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
+          .declare = [](CLI::App& app) -> Command::Action {
+            auto options = std::make_shared<Options>();
+            app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
+                ->required()
+                ->type_name("NAME|FILE");
+            options->initial.declare(app);
+            app.add_option("--rho", options->rho, "Density to go to (SI: kg/m^3)");
+            app.add_option("--P", options->P, "Instead: pressure to go to (SI: Pa)");
+            app.add_option("--points", options->points, "Steps of the curve");
+            return [options](Context& context) { return isentrope(*options, context); };
+          }};
+}
+
+} // namespace mesobridge::workflows

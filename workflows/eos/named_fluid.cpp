@@ -1,0 +1,35 @@
+#include "workflows/eos/named_fluid.hpp"
+#include "fitting/model_file.hpp"
+#include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+NamedFluid load_fluid(std::string const& name_or_file) {
+  auto const model =
+      fitting::load_eos(name_or_file, [](std::string const& file) { return read_text_file(file); });
+  return {.name = name_or_file,
+          .fluid = fitting::Fluid(model.eos),
+          .reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos)};
+}
+
+void require_same_units(NamedFluid const& a, NamedFluid const& b) {
+  if (a.reduced != b.reduced)
+    throw InputError(fmt::format("'{}' is in {} and '{}' in {}: both must have the same units", a.name,
+                                 a.reduced ? "Lennard-Jones units" : "SI", b.name,
+                                 b.reduced ? "Lennard-Jones units" : "SI"));
+}
+
+void InitialState::declare(CLI::App& app) {
+  app.add_option("--rho0", rho0, "Density of the state at rest, in the model's units (SI: kg/m^3)")
+      ->required();
+  app.add_option("--T0", T0, "Its temperature (SI: K)")->required();
+}
+
+fitting::EosState InitialState::of(fitting::Fluid const& fluid) const {
+  require(rho0 > 0 && std::isfinite(rho0), "--rho0", rho0, "must be > 0");
+  require(T0 > 0 && std::isfinite(T0), "--T0", T0, "must be > 0");
+  return fluid.at_temperature(rho0, T0);
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,29 @@
+#pragma once
+#include "fitting/fluid.hpp"
+#include "workflows/command.hpp"
+
+namespace mesobridge::workflows {
+
+/// A model as the command line names it.
+struct NamedFluid {
+  std::string name;
+  fitting::Fluid fluid;
+  bool reduced; ///< in Lennard-Jones units
+};
+
+/// A built-in material or a model file. Throws InputError that lists the materials.
+NamedFluid load_fluid(std::string const& name_or_file);
+
+/// Throws InputError unless both are in SI or both reduced.
+void require_same_units(NamedFluid const& a, NamedFluid const& b);
+
+/// A state at rest given by --rho0 and --T0.
+struct InitialState {
+  double rho0 = 0, T0 = 0;
+
+  void declare(CLI::App& app);
+  /// Throws InputError unless both are > 0, PhysicsError outside the model.
+  fitting::EosState of(fitting::Fluid const& fluid) const;
+};
+
+} // namespace mesobridge::workflows
