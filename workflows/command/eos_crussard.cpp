@@ -14,39 +14,55 @@ struct Options {
   ShockOptions shock;
 };
 
+/// P over the volume relative to that at rest, in which Rayleigh lines are straight.
+Series over_volume(std::string const& label, std::vector<fitting::EosState> const& states, double rho_0,
+                   bool reduced) {
+  auto series = pressure_series(label, states, reduced);
+  for (auto& x : series.x)
+    x = rho_0 / x;
+  return series;
+}
+
+/// The isentrope by which the products expand from the Chapman-Jouguet state to the initial volume.
+std::vector<fitting::EosState> release(Explosive const& explosive, fitting::Shock const& cj, int steps) {
+  fitting::Isentrope const isentrope(explosive.product.fluid, cj.behind);
+  std::vector<fitting::EosState> states;
+  for (int i = 0; i <= steps; ++i)
+    states.push_back(isentrope.at_density(cj.ahead.rho + (cj.behind.rho - cj.ahead.rho) * i / steps));
+  return states;
+}
+
 /// The Crussard curve and the reactant's Hugoniot, with the line, the point and the isentrope of the
 /// Chapman-Jouguet detonation (thesis, figures 6.2 and 6.12).
-Plot crussard_plot(Explosive const& explosive, std::vector<fitting::Shock> const& curve, double P_last) {
+Plot crussard_plot(Explosive const& explosive, std::vector<fitting::Shock> const& curve) {
   bool const reduced = explosive.product.reduced;
   auto const& crussard = explosive.crussard;
   auto const cj = crussard.chapman_jouguet();
-  double const unit = pressure_unit(reduced);
+  double const rho_0 = cj.ahead.rho, unit = pressure_unit(reduced);
+  int const points = static_cast<int>(curve.size());
+  auto products = states_behind(curve);
+  products.insert(products.begin(), crussard.constant_volume_state());
+  auto const P_last = products.back().P;
+  auto reactant =
+      states_behind(fitting::Hugoniot(explosive.reactant.fluid, explosive.at_rest).curve(P_last, points));
+  reactant.insert(reactant.begin(), explosive.at_rest);
   Plot plot{.name = "crussard",
             .title = plain(fmt::format("Detonation of {}: D = {:.5g}{}", explosive.reactant.name, cj.v_S,
                                        reduced ? "" : " m/s")),
-            .x = {.label = density_label(reduced)},
-            .panels = {Panel{}}};
+            .x = {.label = "rho_0/rho"},
+            .panels = {Panel{.legend = Legend::top_right}}};
   auto& panel = plot.panels[0];
   panel.y.label = pressure_label(reduced);
-  panel.series.push_back(
-      pressure_series("Crussard, " + explosive.product.name, states_behind(curve), reduced));
-  auto const reactant = fitting::Hugoniot(explosive.reactant.fluid, explosive.at_rest)
-                            .curve(P_last, static_cast<int>(curve.size()));
-  panel.series.push_back(
-      pressure_series("Hugoniot, " + explosive.reactant.name, states_behind(reactant), reduced));
-  fitting::Isentrope const isentrope(explosive.product.fluid, cj.behind);
-  std::vector<fitting::EosState> release;
-  Series line{.label = "Rayleigh line", .style = SeriesStyle::dashes};
-  int const steps = static_cast<int>(curve.size());
-  for (int i = 0; i <= steps; ++i) {
-    double const rho = crussard.ahead().rho + (cj.behind.rho - crussard.ahead().rho) * i / steps;
-    release.push_back(isentrope.at_density(rho));
-    line.x.push_back(rho);
-    line.y.push_back(crussard.rayleigh_pressure(cj.v_S, rho) / unit);
-  }
-  panel.series.push_back(std::move(line));
-  panel.series.push_back(pressure_series("isentrope", release, reduced));
-  panel.series.push_back({.label = "Chapman-Jouguet", .x = {cj.behind.rho}, .y = {cj.behind.P / unit}});
+  panel.series = {
+      over_volume("Crussard, " + explosive.product.name, products, rho_0, reduced),
+      over_volume("Hugoniot, " + explosive.reactant.name, reactant, rho_0, reduced),
+      Series{.label = "Rayleigh line",
+             .x = {1, rho_0 / cj.behind.rho},
+             .y = {cj.ahead.P / unit, cj.behind.P / unit},
+             .style = SeriesStyle::dashes},
+      over_volume("isentrope", release(explosive, cj, points), rho_0, reduced),
+      Series{.label = "Chapman-Jouguet", .x = {rho_0 / cj.behind.rho}, .y = {cj.behind.P / unit}},
+  };
   return plot;
 }
 
@@ -72,7 +88,7 @@ Result crussard(Options const& options, Context const& context) {
   result.json["curve"] = arrays(columns, reduced);
   write_curve(
       context, result, [&] { return csv_text(columns, reduced); },
-      [&] { return crussard_plot(explosive, curve, curve.back().behind.P); });
+      [&] { return crussard_plot(explosive, curve); });
   if (!asked && !context.options.output)
     result.text = csv_text(columns, reduced);
   return result;
