@@ -62,9 +62,15 @@ std::optional<double> first_rising_zero(F&& f, double first, double last, double
     double x, f;
   };
   std::optional<Point> negative;
+  if (!(first > 0 && last > 0))
+    return std::nullopt; // no way to go
   bool const up = last > first;
-  double const factor = up ? ratio : 1 / ratio;
-  for (double x = first; up ? x <= last : x >= last; x *= factor) {
+  bool at_end = false;
+  for (double x = first; !at_end; x = up ? x * ratio : x / ratio) {
+    if (up ? x >= last : x <= last) {
+      x = last;
+      at_end = true;
+    }
     auto f_x = value(x);
     if (!f_x && negative) {
       double edge = x;

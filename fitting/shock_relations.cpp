@@ -56,6 +56,10 @@ Shock Hugoniot::shock(double rho, double e) const {
 void Hugoniot::require_shock(Shock const& found, std::string const& asked) const {
   if (!found.behind.sound_speed)
     refuse(asked, "the fluid behind would be mechanically unstable");
+  constexpr double entropy_round_off = 1e-9;
+  double const ds = found.behind.s - found.ahead.s;
+  if (!reacts_ && ds < -entropy_round_off * (std::abs(found.ahead.s) + found.ahead.c_v))
+    refuse(asked, fmt::format("its entropy would fall by {} (the fluid is not convex)", -ds));
   double const tolerance = sonic_tolerance(found.behind.rho / found.ahead.rho - 1);
   double const mach_ahead = reacts_ ? 2 : found.v_S / *ahead_.sound_speed;
   double const mach_behind = (found.v_S - found.v_P) / *found.behind.sound_speed;
@@ -102,7 +106,7 @@ Shock Hugoniot::from_speed(double v_S) const {
   } else {
     if (!(v_S > *ahead_.sound_speed))
       refuse(asked, fmt::format("it must exceed the sound speed {} ahead", *ahead_.sound_speed));
-    first = 1e-3 * (v_S / *ahead_.sound_speed - 1);
+    first = 1e-3 * std::min(1.0, v_S / *ahead_.sound_speed - 1);
   }
   double const momentum = ahead_.rho * ahead_.rho * v_S * v_S;
   auto const energy = [&](double z) {

@@ -26,7 +26,7 @@ struct CjChecks {
 /// A function of given v_P, v_S, P or rho solves one equation for the compression (or, at given rho, the
 /// temperature): it follows the physical branch from the initial density up to the first solution. The result
 /// is accurate to round-off. PhysicsError when there is none inside the models, or when it is no shock: the
-/// flow must be faster than sound ahead and slower behind.
+/// flow must be faster than sound ahead and slower behind, and the entropy must not fall.
 class Hugoniot {
  public:
   /// Throws PhysicsError when the initial state has no sound speed.

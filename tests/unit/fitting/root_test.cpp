@@ -43,6 +43,9 @@ TEST(FirstRisingZero, FindsTheFirstOneAndTheEdgeOfTheModel) {
   };
   EXPECT_NEAR(*first_rising_zero(ending(4.9999), 0.1, 100, 1.5), 4.9999, 1e-14);
   EXPECT_FALSE(first_rising_zero(ending(5.0001), 0.1, 100, 1.5));
+  // The last step ends at the last point.
+  EXPECT_NEAR(*first_rising_zero([](double x) { return x - 99; }, 0.1, 100, 7), 99, 1e-13);
+  EXPECT_FALSE(first_rising_zero([](double x) { return x - 101; }, 0.1, 100, 7));
   // The model begins at 2.
   auto const beginning = [](double x) { return x < 2 ? throw PhysicsError("outside") : x - 3; };
   EXPECT_NEAR(*first_rising_zero(beginning, 0.1, 100, 1.1), 3, 1e-15);

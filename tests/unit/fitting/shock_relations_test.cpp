@@ -1,4 +1,5 @@
 #include "fitting/shock_relations.hpp"
+#include "unit/fitting/random_states.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
@@ -110,6 +111,38 @@ TEST(Hugoniot, TheFourWaysToAShockAgreeAndConserveInEveryModel) {
   EXPECT_EQ(cases, 280);
   EXPECT_LT(worst_balance, 1e-7);
   EXPECT_LT(worst_agreement, 1e-9);
+}
+
+TEST(Hugoniot, AnyStateOfAnyModelHasAShockOrARefusal) {
+  std::mt19937_64 generator(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::size_t models = 0;
+  for (auto const& [name, description, eos] : materials()) {
+    Fluid const matter(eos);
+    int shocks = 0, refusals = 0;
+    double worst = 0;
+    constexpr int trials = 300;
+    for (int i = 0; i < trials; ++i) {
+      auto const [rho, T] = std::visit([&](auto const& e) { return random_state(e, generator); }, eos);
+      auto const ahead = matter.at_temperature(rho, T);
+      double const v_P = 10 * std::sqrt(ahead.T * matter.gas_constant()) * std::pow(1e-4, uniform(generator));
+      try {
+        auto const s = Hugoniot(matter, ahead).from_piston(v_P);
+        worst = std::max(worst, violation(s, 0) * s.v_P / s.v_S);
+        EXPECT_GE(s.behind.s, ahead.s - 1e-8 * (std::abs(ahead.s) + ahead.c_v));
+        ++shocks;
+      } catch (PhysicsError const&) {
+        ++refusals;
+      }
+    }
+    std::printf("%s: %d shocks (largest violation of a balance %.1e), %d refusals\n", name.c_str(), shocks,
+                worst, refusals);
+    EXPECT_EQ(shocks + refusals, trials);
+    EXPECT_GT(shocks, trials / 2);
+    EXPECT_LT(worst, 1e-9);
+    ++models;
+  }
+  EXPECT_EQ(models, materials().size());
 }
 
 TEST(Hugoniot, TheWeakestShocksAreSound) {
