@@ -95,32 +95,29 @@ class Mixture {
   };
 
   /// One part at its density and the common temperature.
-  template <class Isochore>
   struct Part {
-    Isochore isochore;
     double rho, e, P, c_v, P_T;
     double rho_P_rho, e_log_rho; ///< dP/d ln rho and de/d ln rho at constant T
-
-    Part(Isochore const& at_rho, double rho, double T) : isochore(at_rho), rho(rho) {
-      e = isochore.energy(T);
-      P = isochore.pressure(T);
-      c_v = isochore.heat_capacity(T);
-      P_T = isochore.pressure_slope(T);
-      rho_P_rho = rho * isochore.pressure_density_slope(T);
-      e_log_rho = (P - T * P_T) / rho;
-    }
   };
+  template <class E>
+  static Part part(E const& eos, double rho, double T) {
+    auto const isochore = eos.isochore(rho);
+    double const P = isochore.pressure(T), P_T = isochore.pressure_slope(T);
+    return {.rho = rho,
+            .e = isochore.energy(T),
+            .P = P,
+            .c_v = isochore.heat_capacity(T),
+            .P_T = P_T,
+            .rho_P_rho = rho * isochore.pressure_density_slope(T),
+            .e_log_rho = (P - T * P_T) / rho};
+  }
 
   /// Both parts at a trial split, with the two conditions of equilibrium and their derivatives.
   struct Parts {
     double lambda, share, T;
-    Part<typename Reactant::Isochore> reactant;
-    Part<typename Product::Isochore> product;
+    Part reactant, product;
 
     double energy() const { return (1 - lambda) * reactant.e + lambda * product.e; }
-    double entropy() const {
-      return (1 - lambda) * reactant.isochore.entropy(T) + lambda * product.isochore.entropy(T);
-    }
     bool stable() const { return reactant.rho_P_rho > 0 && product.rho_P_rho > 0; }
     double pressure_gap() const { return product.P - reactant.P; }
     // Derivatives by r = ln(rho_1/rho_0) at constant T and total density, and by T at constant r.
@@ -155,11 +152,8 @@ class Mixture {
   /// Throws PhysicsError where a part is outside its model.
   Parts parts(Problem const& p, MixtureSplit const& split) const {
     auto const d = densities(p, split.log_density_ratio);
-    return {p.lambda,
-            d.share,
-            split.T,
-            {reactant_.isochore(d.reactant), d.reactant, split.T},
-            {product_.isochore(d.product), d.product, split.T}};
+    return {p.lambda, d.share, split.T, part(reactant_, d.reactant, split.T),
+            part(product_, d.product, split.T)};
   }
 
   std::optional<MixtureState> newton(Problem const& p, MixtureSplit const& split) const;

@@ -36,7 +36,8 @@ MixtureState Mixture<Reactant, Product>::state_of(Problem const& p, Parts const&
           .rho_product = product.rho,
           .T = T,
           .P = P,
-          .s = at.entropy(),
+          .s = (1 - lambda) * reactant_.isochore(reactant.rho).entropy(T) +
+               lambda * product_.isochore(product.rho).entropy(T),
           .c_v = c_v,
           .sound_speed_squared = (P_log_rho + P_T / c_v * (P / p.rho - e_log_rho)) / p.rho};
 }
