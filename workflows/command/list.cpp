@@ -4,22 +4,12 @@ namespace mesobridge::workflows {
 
 std::vector<Command> commands() {
   return {
-      md_lj_grid_command(),
-      cg_state_grid_command(),
-      fit_lj_bwr_command(),
-      eos_eval_command(),
-      eos_list_command(),
-      eos_hugoniot_command(),
-      eos_crussard_command(),
-      eos_cj_command(),
-      eos_isentrope_command(),
-      eos_plot_command(),
-      eos_table_command(),
-      run_command(),
-      workflow_lj_to_sdpd_command(),
-      check_command(),
-      bench_engine_command(),
-      bench_eos_command(),
+      md_lj_grid_command(),   cg_state_grid_command(), fit_lj_bwr_command(),
+      eos_eval_command(),     eos_list_command(),      eos_hugoniot_command(),
+      eos_crussard_command(), eos_cj_command(),        eos_isentrope_command(),
+      eos_profile_command(),  eos_riemann_command(),   eos_plot_command(),
+      eos_table_command(),    run_command(),           workflow_lj_to_sdpd_command(),
+      check_command(),        bench_engine_command(),  bench_eos_command(),
       doctor_command(),
   };
 }

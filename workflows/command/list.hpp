@@ -17,6 +17,8 @@ Command eos_hugoniot_command();
 Command eos_crussard_command();
 Command eos_cj_command();
 Command eos_isentrope_command();
+Command eos_profile_command();
+Command eos_riemann_command();
 Command eos_plot_command();
 Command eos_table_command();
 Command check_command();

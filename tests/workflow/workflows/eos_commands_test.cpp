@@ -125,6 +125,27 @@ TEST(EosCommands, IsentropeReleasesToZeroPressure) {
   EXPECT_NEAR(to_zero["P_Pa"].get<double>(), 0, 1);
 }
 
+TEST(EosCommands, ProfileJoinsTheStatesOfTheHugoniot) {
+  auto const found = json_of("profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4");
+  expect_near(found, "v_S_m_s", 1975.0, 1e-4);
+  auto const v = found["curve"]["v_m_s"].get<std::vector<double>>();
+  ASSERT_GT(v.size(), 100u);
+  EXPECT_NEAR(v.front(), 500, 1e-2);
+  EXPECT_NEAR(v.back(), 0, 1e-2);
+  EXPECT_GT(found["thickness_m"], 0);
+}
+
+TEST(EosCommands, RiemannIsSymmetricForEqualHalves) {
+  // Each half of a head-on collision is shocked as by a piston.
+  auto const found = json_of("riemann --left argon --rho-left 1150 --T-left 500 --u-left 500 --right argon "
+                             "--rho-right 1150 --T-right 500 --u-right -500");
+  expect_near(found, "P_Pa", 1.4661e9, 1e-4);
+  EXPECT_NEAR(found["u_m_s"].get<double>(), 0, 1e-6);
+  EXPECT_EQ(found["left_wave"]["kind"], "shock");
+  expect_near(found["right_wave"], "head_m_s", 1975.0 - 500, 1e-4);
+  expect_near(found["left_of_contact"], "T_K", 968.9, 1e-4);
+}
+
 std::size_t count(std::string const& text, std::string const& part) {
   std::size_t found = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -149,6 +170,11 @@ TEST(EosCommands, CurvesAreWrittenAsTheEndingSays) {
       {"plot --model argon --model ideal-gas --T 300 1000 --rho0 1150 --T0 500 --rho-min 900 --rho-max 1600",
        "p.svg", "isentrope"},
       {"plot --model lj --T 2 --rho-min 0.1 --rho-max 1", "p.html", "P*"},
+      {"profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 --kappa 0.1", "f.svg",
+       "Shock front in argon"},
+      {"riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water --rho-right 1050 "
+       "--T-right 300",
+       "r.svg", "Riemann problem"},
       {"table --model lj --rho-min 0.1 --rho-max 1 --T-min 1 --T-max 5", "t.csv",
        "rho,T,P,e,s,c_v,sound_speed"},
   };
@@ -165,7 +191,7 @@ TEST(EosCommands, CurvesAreWrittenAsTheEndingSays) {
     EXPECT_NE(result.output.find(file), std::string::npos);
     ++ran;
   }
-  EXPECT_EQ(ran, 9);
+  EXPECT_EQ(ran, 11);
   EXPECT_EQ(count(read_text_file(scratch / "h.csv"), "\n"), 61u); // head and 60 points
 }
 
@@ -210,6 +236,11 @@ TEST(EosCommands, BadInputHasACodeAndOneClearMessage) {
       {"cj --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300", 2, "--q"},
       {"isentrope --model tin --rho0 9000 --T0 1500", 2, "exactly one"},
       {"isentrope --model tin --rho0 9000 --T0 1500 --P -1e12", 3, "does not reach pressure"},
+      {"profile --model argon --rho0 1150 --T0 500 --vp 500 --eta -1", 2, "shear viscosity = -1"},
+      {"riemann --left tin --rho-left 7775 --T-left 300 --u-left -2000 --right tin --rho-right 7775 "
+       "--T-right 300 "
+       "--u-right 2000",
+       3, "a vacuum opens"},
       {"plot --model argon --rho-min 1 --rho-max 2 -o x.svg", 2, "give --T"},
       {"plot --model argon --T 300 --rho-min 3 --rho-max 2 -o x.svg", 2, "--rho-max = 2"},
       {"plot --model argon --T 300 --rho-min 1 --rho-max 2", 2, "a file must be given"},
@@ -225,7 +256,7 @@ TEST(EosCommands, BadInputHasACodeAndOneClearMessage) {
     EXPECT_EQ(result.output, "");
     ++ran;
   }
-  EXPECT_EQ(ran, 18);
+  EXPECT_EQ(ran, 20);
 }
 
 } // namespace

@@ -1,0 +1,95 @@
+#include "fitting/shock_profile.hpp"
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/eos/curve_output.hpp"
+#include "workflows/eos/named_fluid.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::string model;
+  InitialState initial;
+  double v_P = 0;
+  fitting::Transport transport{.shear_viscosity = 0};
+};
+
+Columns profile_columns(fitting::ShockProfile const& profile) {
+  Columns columns{{"x", "_m", "m", {}}, {"v", "_m_s", "m/s", {}}};
+  std::vector<fitting::EosState> states;
+  for (auto const& point : profile.points) {
+    columns[0].values.push_back(point.x);
+    columns[1].values.push_back(point.v);
+    states.push_back(point.state);
+  }
+  for (auto& of_state : state_columns(states))
+    columns.push_back(std::move(of_state));
+  return columns;
+}
+
+/// Velocity and temperature, in two panels.
+Plot profile_plot(NamedFluid const& model, fitting::ShockProfile const& profile) {
+  double const length = model.reduced ? 1 : 1e-9; // drawn in nm
+  Series velocity{.style = SeriesStyle::lines}, temperature = velocity;
+  for (auto const& point : profile.points) {
+    velocity.x.push_back(point.x / length);
+    velocity.y.push_back(point.v);
+    temperature.x.push_back(point.x / length);
+    temperature.y.push_back(point.state.T);
+  }
+  bool const r = model.reduced;
+  return {
+      .name = "profile",
+      .title = plain("Shock front in " + model.name),
+      .x = {.label = r ? "x*" : "x [nm]"},
+      .panels = {Panel{.series = {velocity}, .y = {.label = r ? "v*" : "v [m/s]"}, .legend = Legend::none},
+                 Panel{.series = {temperature}, .y = {.label = r ? "T*" : "T [K]"}, .legend = Legend::none}},
+      .height = 560};
+}
+
+Result profile(Options const& options, Context const& context) {
+  if (context.options.output)
+    curve_file(*context.options.output);
+  auto const model = load_fluid(options.model);
+  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
+  auto const profile =
+      fitting::shock_profile(model.fluid, hugoniot.from_piston(options.v_P), options.transport);
+  Columns head{{"thickness", "_m", "m", {profile.thickness}}};
+  for (auto& of_shock : shock_columns({profile.shock}))
+    head.push_back(std::move(of_shock));
+  auto const columns = profile_columns(profile);
+  Result result;
+  result.json["model"] = options.model;
+  put_first_row(result.json, head, model.reduced);
+  result.json["curve"] = arrays(columns, model.reduced);
+  result.text = lines_text(head, model.reduced);
+  write_curve(
+      context, result, [&] { return csv_text(columns, model.reduced); },
+      [&] { return profile_plot(model, profile); });
+  return result;
+}
+
+} // namespace
+
+Command eos_profile_command() {
+  return {
+      .name = "eos profile",
+      .summary = "The front of a shock by the Navier-Stokes equations (-o FILE.csv, .svg or .html)",
+      .example = "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
+      .declare = [](CLI::App& app) -> Command::Action {
+        auto options = std::make_shared<Options>();
+        app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
+            ->required()
+            ->type_name("NAME|FILE");
+        options->initial.declare(app);
+        app.add_option("--vp", options->v_P, "Velocity of the piston (SI: m/s)")->required();
+        app.add_option("--eta", options->transport.shear_viscosity, "Shear viscosity (SI: Pa s)")->required();
+        app.add_option("--zeta", options->transport.bulk_viscosity, "Bulk viscosity (SI: Pa s)");
+        app.add_option("--kappa", options->transport.conductivity, "Heat conductivity (SI: W/(m K))");
+        return [options](Context& context) { return profile(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,129 @@
+#include "fitting/riemann.hpp"
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/eos/curve_output.hpp"
+#include "workflows/eos/named_fluid.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Side {
+  std::string model;
+  double rho = 0, T = 0, u = 0;
+
+  void declare(CLI::App& app, std::string const& name) {
+    app.add_option("--" + name, model, "Model of the " + name + " half space")
+        ->required()
+        ->type_name("NAME|FILE");
+    app.add_option("--rho-" + name, rho, "Its density (SI: kg/m^3)")->required();
+    app.add_option("--T-" + name, T, "Its temperature (SI: K)")->required();
+    app.add_option("--u-" + name, u, "Its velocity to the right (SI: m/s)");
+  }
+  fitting::RiemannSide of(NamedFluid const& fluid, std::string const& name) const {
+    require(rho > 0 && std::isfinite(rho), "--rho-" + name, rho, "must be > 0");
+    require(T > 0 && std::isfinite(T), "--T-" + name, T, "must be > 0");
+    return {fluid.fluid, fluid.fluid.at_temperature(rho, T), u};
+  }
+};
+
+struct Options {
+  Side left, right;
+  int points = 400;
+};
+
+/// The flow over x/t, a little beyond the outermost waves.
+Columns flow_columns(fitting::RiemannSolution const& solution, int points) {
+  double const left = solution.left_wave().head, right = solution.right_wave().head;
+  double const margin = 0.1 * (right - left);
+  Columns columns{{"x_over_t", "_m_s", "m/s", {}}, {"u", "_m_s", "m/s", {}}};
+  std::vector<fitting::EosState> states;
+  for (int i = 0; i <= points; ++i) {
+    double const xi = left - margin + (right - left + 2 * margin) * i / points;
+    auto const flow = solution.at(xi);
+    columns[0].values.push_back(xi);
+    columns[1].values.push_back(flow.u);
+    states.push_back(flow.state);
+  }
+  for (auto& of_state : state_columns(states))
+    columns.push_back(std::move(of_state));
+  return columns;
+}
+
+Series series_of(Columns const& columns, std::size_t column, double unit) {
+  Series series{.style = SeriesStyle::lines};
+  for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
+    series.x.push_back(*columns[0].values[i]);
+    series.y.push_back(*columns[column].values[i] / unit);
+  }
+  return series;
+}
+
+Plot riemann_plot(Columns const& columns, bool reduced) {
+  constexpr std::size_t u = 1, rho = 2, P = 4;
+  auto const panel = [&](std::size_t column, double unit, std::string label) {
+    return Panel{.series = {series_of(columns, column, unit)},
+                 .y = {.label = std::move(label)},
+                 .legend = Legend::none};
+  };
+  return {.name = "riemann",
+          .title = "Riemann problem",
+          .x = {.label = reduced ? "x/t" : "x/t [m/s]"},
+          .panels = {panel(rho, 1, density_label(reduced)), panel(u, 1, reduced ? "u*" : "u [m/s]"),
+                     panel(P, pressure_unit(reduced), pressure_label(reduced))},
+          .height = 720};
+}
+
+Json wave_json(fitting::RiemannSolution::Speeds const& speeds, bool shock, bool reduced) {
+  std::string const unit = reduced ? "" : "_m_s";
+  return {
+      {"kind", shock ? "shock" : "rarefaction"}, {"head" + unit, speeds.head}, {"tail" + unit, speeds.tail}};
+}
+
+Result riemann(Options const& options, Context const& context) {
+  if (context.options.output)
+    curve_file(*context.options.output);
+  require(options.points >= 2 && options.points <= 100000, "--points", options.points,
+          "must lie between 2 and 100000");
+  auto const left = load_fluid(options.left.model), right = load_fluid(options.right.model);
+  require_same_units(left, right);
+  bool const reduced = left.reduced;
+  fitting::RiemannSolution const solution(options.left.of(left, "left"), options.right.of(right, "right"));
+  Columns const head{{"P", "_Pa", "Pa", {solution.P()}}, {"u", "_m_s", "m/s", {solution.u()}}};
+  Result result;
+  put_first_row(result.json, head, reduced);
+  result.json["left_wave"] = wave_json(solution.left_wave(), solution.left_shock(), reduced);
+  result.json["right_wave"] = wave_json(solution.right_wave(), solution.right_shock(), reduced);
+  put_first_row(result.json["left_of_contact"], state_columns({solution.left_of_contact()}), reduced);
+  put_first_row(result.json["right_of_contact"], state_columns({solution.right_of_contact()}), reduced);
+  result.text = lines_text(head, reduced);
+  for (auto const* name : {"left_wave", "right_wave"})
+    result.text += fmt::format("{:<12} {}\n", name, result.json[name].dump());
+  auto const columns = flow_columns(solution, options.points);
+  result.json["curve"] = arrays(columns, reduced);
+  write_curve(
+      context, result, [&] { return csv_text(columns, reduced); },
+      [&] { return riemann_plot(columns, reduced); });
+  return result;
+}
+
+} // namespace
+
+Command eos_riemann_command() {
+  return {
+      .name = "eos riemann",
+      .summary = "Two half spaces in contact: their waves, exactly (-o FILE.csv, .svg or .html)",
+      .example =
+          "mesobridge eos riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water "
+          "--rho-right 1050 --T-right 300 -o waves.svg",
+      .declare = [](CLI::App& app) -> Command::Action {
+        auto options = std::make_shared<Options>();
+        options->left.declare(app, "left");
+        options->right.declare(app, "right");
+        app.add_option("--points", options->points, "Points of the curve");
+        return [options](Context& context) { return riemann(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows
