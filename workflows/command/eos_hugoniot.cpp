@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string model;
+  EosOptions eos;
   InitialState initial;
   ShockOptions shock;
 };
@@ -39,11 +39,11 @@ Plot hugoniot_plot(NamedFluid const& model, fitting::Hugoniot const& hugoniot,
 Result hugoniot(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
-  auto const model = load_fluid(options.model);
+  auto const model = load_fluid(options.eos);
   fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
   auto const asked = options.shock.shock(hugoniot);
   Result result;
-  result.json["model"] = options.model;
+  result.json["model"] = options.eos.model;
   if (asked) {
     auto const columns = shock_columns({*asked});
     put_first_row(result.json, columns, model.reduced);
@@ -71,9 +71,7 @@ Command eos_hugoniot_command() {
           .example = "mesobridge eos hugoniot --model argon --rho0 1150 --T0 500 --vp 500",
           .declare = [](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
-            app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
-                ->required()
-                ->type_name("NAME|FILE");
+            options->eos.declare(app);
             options->initial.declare(app);
             options->shock.declare(app);
             return [options](Context& context) { return hugoniot(*options, context); };

@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string model;
+  EosOptions eos;
   InitialState initial;
   std::optional<double> rho, P;
   int points = 60;
@@ -61,12 +61,12 @@ Result isentrope(Options const& options, Context const& context) {
           "must lie between 2 and 100000");
   if (options.rho)
     require(*options.rho > 0 && std::isfinite(*options.rho), "--rho", *options.rho, "must be > 0");
-  auto const model = load_fluid(options.model);
+  auto const model = load_fluid(options.eos);
   fitting::Isentrope const isentrope(model.fluid, options.initial.of(model.fluid));
   auto const to = options.rho ? isentrope.at_density(*options.rho) : isentrope.at_pressure(*options.P);
   auto const columns = along(isentrope, to, options.points), end = last_row(columns);
   Result result;
-  result.json["model"] = options.model;
+  result.json["model"] = options.eos.model;
   put_first_row(result.json, end, model.reduced);
   put_first_row(result.json["from"], state_columns({isentrope.from()}), model.reduced);
   result.json["curve"] = arrays(columns, model.reduced);
@@ -85,9 +85,7 @@ Command eos_isentrope_command() {
           .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
           .declare = [](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
-            app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
-                ->required()
-                ->type_name("NAME|FILE");
+            options->eos.declare(app);
             options->initial.declare(app);
             app.add_option("--rho", options->rho, "Density to go to (SI: kg/m^3)");
             app.add_option("--P", options->P, "Instead: pressure to go to (SI: Pa)");

@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string model;
+  EosOptions eos;
   InitialState initial;
   double v_P = 0;
   fitting::Transport transport{.shear_viscosity = 0};
@@ -52,7 +52,7 @@ Plot profile_plot(NamedFluid const& model, fitting::ShockProfile const& profile)
 Result profile(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
-  auto const model = load_fluid(options.model);
+  auto const model = load_fluid(options.eos);
   fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
   auto const profile =
       fitting::shock_profile(model.fluid, hugoniot.from_piston(options.v_P), options.transport);
@@ -61,7 +61,7 @@ Result profile(Options const& options, Context const& context) {
     head.push_back(std::move(of_shock));
   auto const columns = profile_columns(profile);
   Result result;
-  result.json["model"] = options.model;
+  result.json["model"] = options.eos.model;
   put_first_row(result.json, head, model.reduced);
   result.json["curve"] = arrays(columns, model.reduced);
   result.text = lines_text(head, model.reduced);
@@ -80,9 +80,7 @@ Command eos_profile_command() {
       .example = "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
       .declare = [](CLI::App& app) -> Command::Action {
         auto options = std::make_shared<Options>();
-        app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
-            ->required()
-            ->type_name("NAME|FILE");
+        options->eos.declare(app);
         options->initial.declare(app);
         app.add_option("--vp", options->v_P, "Velocity of the piston (SI: m/s)")->required();
         app.add_option("--eta", options->transport.shear_viscosity, "Shear viscosity (SI: Pa s)")->required();

@@ -23,7 +23,7 @@ struct Range {
 };
 
 struct Options {
-  std::string model;
+  EosOptions eos;
   Range rho{.points = 50}, T{.points = 50};
 };
 
@@ -77,7 +77,7 @@ Result table(Options const& options, Context const& context) {
           "must end in .csv or .h5");
   options.rho.require_valid("rho");
   options.T.require_valid("T");
-  auto const model = load_fluid(options.model);
+  auto const model = load_fluid(options.eos);
   auto const columns = table_columns(model, options);
   if (file.extension() == ".csv")
     write_text_file(file, csv_text(columns, model.reduced));
@@ -87,7 +87,7 @@ Result table(Options const& options, Context const& context) {
   for (auto const& value : columns.back().values)
     unstable += *value < 0;
   Result result;
-  result.json = {{"model", options.model},
+  result.json = {{"model", options.eos.model},
                  {"file", file.string()},
                  {"states", columns[0].values.size()},
                  {"mechanically_unstable_states", unstable}};
@@ -106,9 +106,7 @@ Command eos_table_command() {
               "-o argon.csv",
           .declare = [](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
-            app.add_option("--model", options->model, "A name of `eos list`, or a model's file")
-                ->required()
-                ->type_name("NAME|FILE");
+            options->eos.declare(app);
             app.add_option("--rho-min", options->rho.min, "Least density (SI: kg/m^3)")->required();
             app.add_option("--rho-max", options->rho.max, "Greatest density (SI: kg/m^3)")->required();
             app.add_option("--rho-points", options->rho.points, "Densities, evenly spaced");

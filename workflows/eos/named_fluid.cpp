@@ -1,16 +1,17 @@
 #include "workflows/eos/named_fluid.hpp"
-#include "fitting/model_file.hpp"
-#include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 
-NamedFluid load_fluid(std::string const& name_or_file) {
-  auto const model =
-      fitting::load_eos(name_or_file, [](std::string const& file) { return read_text_file(file); });
-  return {.name = name_or_file,
+NamedFluid load_fluid(EosOptions const& options) {
+  auto const model = options.load();
+  return {.name = options.model,
           .fluid = fitting::Fluid(model.eos),
           .reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos)};
+}
+
+NamedFluid load_fluid(std::string const& name_or_file) {
+  return load_fluid(EosOptions{.model = name_or_file, .gamma = {}, .dof = {}, .m0 = {}});
 }
 
 void require_same_units(NamedFluid const& a, NamedFluid const& b) {

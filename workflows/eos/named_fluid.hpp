@@ -1,6 +1,7 @@
 #pragma once
 #include "fitting/fluid.hpp"
 #include "workflows/command.hpp"
+#include "workflows/eos_options.hpp"
 
 namespace mesobridge::workflows {
 
@@ -12,6 +13,7 @@ struct NamedFluid {
 };
 
 /// A built-in material or a model file. Throws InputError that lists the materials.
+NamedFluid load_fluid(EosOptions const& options);
 NamedFluid load_fluid(std::string const& name_or_file);
 
 /// Throws InputError unless both are in SI or both reduced.

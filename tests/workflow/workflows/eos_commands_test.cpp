@@ -74,6 +74,12 @@ TEST(EosCommands, HugoniotTakesAnyOfFourQuantities) {
   EXPECT_EQ(ran, 3);
 }
 
+TEST(EosCommands, HugoniotOfAGasOfAnyGamma) {
+  // A shock so strong compresses towards (gamma + 1)/(gamma - 1).
+  auto const air = json_of("hugoniot --model ideal-gas --gamma 1.4 --rho0 1 --T0 300 --vp 1e6");
+  expect_near(air, "rho_kg_m3", 6, 1e-5);
+}
+
 TEST(EosCommands, ReducedModelsPrintReducedKeys) {
   auto const found = json_of("hugoniot --model lj --rho0 0.8 --T0 2 --vp 2");
   for (auto const* key : {"v_S", "rho", "P", "T", "e"})
