@@ -109,7 +109,7 @@ TEST(Program, BadInputHasACodeAndOneClearMessage) {
     EXPECT_EQ(result.output, "");
     ++ran;
   }
-  EXPECT_EQ(ran, 18);
+  EXPECT_EQ(ran, 23);
 }
 
 TEST(Program, JsonIsOneObjectOnStdout) {
