@@ -118,6 +118,18 @@ double LammpsSession::compute(std::string const& id) {
   });
 }
 
+double LammpsSession::compute(std::string const& id, int component) {
+  return guarded("compute " + id, [&](void* lammps) {
+    auto const* size = static_cast<int const*>(
+        lammps_extract_compute(lammps, id.c_str(), LMP_STYLE_GLOBAL, LMP_SIZE_VECTOR));
+    require(size != nullptr, "LAMMPS compute", id, "no compute with this id has a global vector");
+    require(component >= 0 && component < *size, "component of a LAMMPS compute", component,
+            fmt::format("'{}' has {}", id, *size));
+    return static_cast<double const*>(
+        lammps_extract_compute(lammps, id.c_str(), LMP_STYLE_GLOBAL, LMP_TYPE_VECTOR))[component];
+  });
+}
+
 std::int64_t LammpsSession::atoms() const {
   return std::int64_t(lammps_get_natoms(handle_->lammps));
 }

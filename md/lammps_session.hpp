@@ -49,6 +49,8 @@ class LammpsSession {
   double thermo(std::string const& keyword);
   /// The global scalar of a compute.
   double compute(std::string const& id);
+  /// One component, from 0, of the global vector of a compute.
+  double compute(std::string const& id, int component);
   std::int64_t atoms() const;
   std::int64_t step() const;
   /// All atoms, on every rank. Throws InputError when the box is not rectangular.

@@ -192,14 +192,18 @@ void check(LjState state, LjFluidSettings const& settings) {
 }
 
 double lattice_order(Frame const& frame, double lattice_constant) {
-  double const k = 4 * std::numbers::pi / lattice_constant;
-  std::complex<double> x, y, z;
-  for (Vec3 const& q : frame.positions) {
-    x += std::polar(1.0, k * q.x);
-    y += std::polar(1.0, k * q.y);
-    z += std::polar(1.0, k * q.z);
-  }
-  return std::max({std::abs(x), std::abs(y), std::abs(z)}) / double(frame.positions.size());
+  return lattice_order(frame, Vec3{1, 1, 1} * (lattice_constant / 2));
+}
+
+double lattice_order(Frame const& frame, Vec3 plane_distances) {
+  auto const along = [&](double Vec3::*axis) {
+    double const distance = plane_distances.*axis;
+    std::complex<double> sum;
+    for (Vec3 const& q : frame.positions)
+      sum += distance > 0 ? std::polar(1.0, 2 * std::numbers::pi / distance * (q.*axis)) : 0.0;
+    return std::abs(sum) / double(frame.positions.size());
+  };
+  return std::max({along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)});
 }
 
 bool sample_lj_fluid(MpiWorld const& world, Ranks ranks, LjState state, LjFluidSettings const& settings,

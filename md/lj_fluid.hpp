@@ -74,5 +74,7 @@ bool sample_lj_fluid(MpiWorld const& world, Ranks ranks, LjState state, LjFluidS
 /// |sum_j exp(i k.r_j)|/N, the largest of three Bragg vectors k = (4 pi/a) along the axes of a face-centred
 /// cubic lattice of constant a: 1 in the crystal, about N^-1/2 in the fluid.
 double lattice_order(Frame const& frame, double lattice_constant);
+/// The same for a lattice with planes of atoms at these distances along the axes; an axis with 0 is left out.
+double lattice_order(Frame const& frame, Vec3 plane_distances);
 
 } // namespace mesobridge::md

@@ -2,11 +2,15 @@
 #define OMPI_SKIP_MPICXX 1
 #include "md/mpi_world.hpp"
 #include "md/error.hpp"
+#include <chrono>
 #include <cstdlib>
 #include <mpi.h>
+#include <thread>
 
 namespace mesobridge::md {
 namespace {
+
+constexpr int broadcast_tag = 1000;
 
 void finalise_at_exit() {
   int finalised = 0;
@@ -52,6 +56,19 @@ bool MpiWorld::root_says(bool answer) const {
   int value = answer;
   MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return value != 0;
+}
+
+std::vector<double> MpiWorld::root_gives(std::span<double const> numbers) const {
+  if (is_root()) {
+    for (int rank = 1; rank < size_; ++rank)
+      send(rank, broadcast_tag, numbers);
+    return {numbers.begin(), numbers.end()};
+  }
+  for (;;) {
+    if (auto message = receive(broadcast_tag))
+      return std::move(message->content);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5)); // MPI would wait at full load
+  }
 }
 
 void MpiWorld::barrier() const {

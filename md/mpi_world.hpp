@@ -29,6 +29,8 @@ class MpiWorld {
   std::optional<Message> receive(int tag) const;
   /// The answer of rank 0, given to every rank. All ranks must call it.
   bool root_says(bool answer) const;
+  /// Numbers of rank 0, given to every rank; the others wait for them without load. All ranks must call it.
+  std::vector<double> root_gives(std::span<double const> numbers) const;
   /// Waits for all ranks.
   void barrier() const;
 
