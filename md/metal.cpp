@@ -95,12 +95,12 @@ class MetalRun {
   }
 
   bool equilibrate() {
+    lammps_->command("compute moved all msd com yes");
     set_temperature(state_.T, 2);
     return advance(settings_.equilibration_steps);
   }
 
   bool sample() {
-    lammps_->command("compute moved all msd com yes");
     double const mass = block_.atoms() * settings_.potential.mass;
     for (std::int64_t done = settings_.sample_every; done <= settings_.sampling_steps;
          done += settings_.sample_every) {

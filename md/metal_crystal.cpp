@@ -81,7 +81,7 @@ void CrystalBlock::create(LammpsSession& lammps, MetalPotential const& potential
   else
     lammps.command("pair_coeff * * \"{}\" {}", potential.file.string(), potential.element);
   lammps.command("mass 1 {}", potential.mass / atomic_mass);
-  lammps.command("neighbor 1.0 bin");
+  lammps.command("neighbor 0.5 bin");
   lammps.command("neigh_modify every 2 delay 0 check yes");
 }
 

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "md/lammps_session.hpp"
+#include "md/metal_potential.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
@@ -50,10 +51,21 @@ Finding examine_lammps() {
           fmt::format("{} with {}", installation.version, fmt::join(installation.packages, ", ")), ""};
 }
 
+Finding examine_potentials() {
+  auto const folder = md::packaged_potentials();
+  std::error_code error;
+  int files = 0;
+  for (auto const& entry : std::filesystem::directory_iterator(folder, error))
+    files += entry.path().filename().string().find(".eam") != std::string::npos;
+  return {"potentials", files > 0, fmt::format("{} of the embedded-atom kind in {}", files, folder.string()),
+          "needed for metals, unless you have a file of your own; apt-get install lammps-data"};
+}
+
 std::vector<Finding> examine() {
   return {
       {"mesobridge", true, fmt::format("{} ({})", version(), git_commit()), ""},
       examine_lammps(),
+      examine_potentials(),
       examine_program("mpirun", "--version", "openmpi-bin", "molecular dynamics on several cores"),
       examine_program("gnuplot", "--version", "gnuplot-nox", "the plots of the report"),
       {"HDF5", true, store_library_version(), ""},

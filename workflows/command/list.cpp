@@ -11,6 +11,9 @@ std::vector<Command> commands() {
       eos_table_command(),    run_command(),           workflow_lj_to_sdpd_command(),
       check_command(),        bench_engine_command(),  bench_eos_command(),
       doctor_command(),
+      md_lj_grid_command(),          md_metal_grid_command(), md_hugoniot_command(),  cg_state_grid_command(),
+      fit_lj_bwr_command(),          eos_eval_command(),      eos_list_command(),     run_command(),
+      workflow_lj_to_sdpd_command(), check_command(),         bench_engine_command(), doctor_command(),
   };
 }
 

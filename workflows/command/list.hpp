@@ -9,6 +9,8 @@ namespace mesobridge::workflows {
 std::vector<Command> commands();
 
 Command md_lj_grid_command();
+Command md_metal_grid_command();
+Command md_hugoniot_command();
 Command cg_state_grid_command();
 Command fit_lj_bwr_command();
 Command eos_eval_command();

@@ -1,0 +1,216 @@
+#include "workflows/metal/hugoniot_plan.hpp"
+#include "md/error.hpp"
+#include "md/units.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr double grueneisen = 2;
+/// Temperatures of the first states, in units of the estimate, and of further ones, in units of the solution
+/// so far.
+constexpr std::array first_temperatures{0.87, 1.0, 1.13};
+constexpr std::array further_temperatures{0.94, 1.06};
+/// States that are further away than this part of the solution's temperature do not count.
+constexpr double widest = 0.3;
+constexpr int most_states = 9;
+
+using Points = std::vector<cg::MetalPoint>;
+
+/// States to be sampled have round numbers, so that a plan made anew asks for the same ones: a static energy
+/// comes with other last digits when another was computed before it.
+double round_density(double rho) {
+  constexpr double unit = 0.1; // kg/m^3
+  return std::round(rho / unit) * unit;
+}
+double round_temperature(double T) {
+  return std::round(T); // K
+}
+
+std::vector<md::MetalState> states_about(double rho, double T, std::span<double const> parts) {
+  std::vector<md::MetalState> states;
+  for (double part : parts)
+    states.push_back({.rho = rho, .T = round_temperature(part * T)});
+  return states;
+}
+
+Points at(std::span<cg::MetalPoint const> known, md::MetalState state) {
+  Points found;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(found),
+               [&](auto const& p) { return p.state == state; });
+  return found;
+}
+
+/// Those of the states that are not known yet are missing; returns the points of the others.
+Points known_or_missing(std::span<md::MetalState const> states, std::span<cg::MetalPoint const> known,
+                        std::vector<md::MetalState>& missing) {
+  Points points;
+  for (auto const& state : states) {
+    auto const found = at(known, state);
+    if (found.empty())
+      missing.push_back(state);
+    else
+      points.push_back(found.front());
+  }
+  return points;
+}
+
+/// The density of zero pressure at T0, from three densities about its estimate. Nothing while they are
+/// missing.
+std::optional<cg::Estimate> find_rho0(HugoniotRequest const& request, QuasiharmonicMetal& metal,
+                                      std::span<cg::MetalPoint const> known,
+                                      std::vector<md::MetalState>& missing) {
+  if (request.rho0)
+    return cg::Estimate{*request.rho0, 0, 0};
+  double const estimate = metal.zero_pressure_density(request.T0);
+  std::vector<md::MetalState> states;
+  for (double part : {0.99, 1.0, 1.01})
+    states.push_back({.rho = round_density(part * estimate), .T = request.T0});
+  auto const points = known_or_missing(states, known, missing);
+  return missing.empty() ? std::optional(cg::zero_pressure_density(points)) : std::nullopt;
+}
+
+struct Solution {
+  std::optional<cg::HugoniotPoint> point;
+  bool enclosed = false; ///< by the temperatures of the states that it was found from
+  std::string trouble;
+};
+
+/// The solution from states of one phase, the far ones left out.
+Solution solve(cg::MetalPoint const& initial, Points points, cg::Phase phase) {
+  std::erase_if(points, [&](auto const& p) { return p.phase != phase; });
+  if (points.size() < 2)
+    return {.point = {},
+            .enclosed = false,
+            .trouble = fmt::format("{} states are {}", points.size(), name_of(phase))};
+  try {
+    auto point = cg::solve_hugoniot(initial, points);
+    auto near = points;
+    std::erase_if(near, [&](auto const& p) { return std::abs(p.state.T / point.T.mean - 1) > widest; });
+    if (near.size() >= 2 && near.size() < points.size())
+      point = cg::solve_hugoniot(initial, near);
+    auto const colder = [](auto const& a, auto const& b) { return a.state.T < b.state.T; };
+    auto const [low, high] = std::minmax_element(points.begin(), points.end(), colder);
+    return {.point = point,
+            .enclosed = low->state.T < point.T.mean && point.T.mean < high->state.T,
+            .trouble = ""};
+  } catch (PhysicsError const& error) {
+    return {.point = {}, .enclosed = false, .trouble = error.what()};
+  }
+}
+
+/// One compression: its point, or what to sample for it, or why there is none.
+void solve_compression(cg::MetalPoint const& initial, double rho, QuasiharmonicMetal& metal, cg::Phase start,
+                       std::span<cg::MetalPoint const> known, HugoniotCurve& curve) {
+  auto const first = states_about(rho, metal.shocked(initial.state, rho).T, first_temperatures);
+  std::vector<md::MetalState> missing;
+  known_or_missing(first, known, missing);
+  curve.missing.insert(curve.missing.end(), missing.begin(), missing.end());
+  if (!missing.empty())
+    return;
+  Points points;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(points),
+               [&](auto const& p) { return p.state.rho == rho; });
+  auto const other = start == cg::Phase::solid ? cg::Phase::liquid : cg::Phase::solid;
+  auto best = solve(initial, points, start);
+  if (!best.enclosed)
+    if (auto const second = solve(initial, points, other); second.enclosed || !best.point)
+      best = second.point ? second : best;
+  if (best.enclosed)
+    return curve.points.push_back(*best.point);
+  bool const hopeless = !best.point || int(points.size()) >= most_states || !(best.point->T.mean > 0);
+  if (!hopeless) {
+    missing.clear();
+    known_or_missing(states_about(rho, best.point->T.mean, further_temperatures), known, missing);
+    curve.missing.insert(curve.missing.end(), missing.begin(), missing.end());
+  }
+  if (missing.empty())
+    curve.unsolved.push_back(
+        fmt::format("{:.1f} kg/m^3: {}", rho,
+                    best.point ? "the states at its solution change their phase" : best.trouble));
+}
+
+std::vector<double> densities_of(HugoniotRequest const& request, QuasiharmonicMetal& metal,
+                                 md::MetalState initial) {
+  std::vector<double> densities;
+  for (double compression : request.compressions)
+    densities.push_back(round_density(compression * initial.rho));
+  for (double v_P : request.v_P)
+    densities.push_back(round_density(metal.compression(initial, v_P) * initial.rho));
+  std::sort(densities.begin(), densities.end());
+  return densities;
+}
+
+} // namespace
+
+QuasiharmonicMetal::QuasiharmonicMetal(md::MpiWorld const& world, md::MetalSettings const& settings)
+    : crystal_(world, settings.potential, settings.lattice, settings.log_file, md::Log::append),
+      mass_(settings.potential.mass) {}
+
+double QuasiharmonicMetal::thermal_energy(double T) const {
+  return 3 * k_B * T / mass_;
+}
+
+double QuasiharmonicMetal::zero_pressure_density(double T) {
+  auto const ground = crystal_.at_zero_pressure();
+  double const c = crystal_.bulk_sound_speed(ground.rho);
+  return ground.rho * (1 - grueneisen * thermal_energy(T) / (c * c));
+}
+
+QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(md::MetalState initial, double rho) {
+  auto const cold0 = crystal_.at(initial.rho), cold = crystal_.at(rho);
+  double const P0 = cold0.P + grueneisen * initial.rho * thermal_energy(initial.T);
+  double const dv = 1 / initial.rho - 1 / rho;
+  double const part = 1 - grueneisen * rho * dv / 2;
+  double const thermal = ((cold.P + P0) * dv / 2 - (cold.e - cold0.e) + thermal_energy(initial.T)) / part;
+  if (!(part > 0.1 && thermal > 0 && cold.P > cold0.P))
+    throw PhysicsError(
+        fmt::format("no shocked state is to be expected at {:.1f} kg/m^3 from {:.1f} kg/m^3, {} K: "
+                    "choose a compression nearer to 1",
+                    rho, initial.rho, initial.T));
+  double const P = cold.P + grueneisen * rho * thermal;
+  return {.T = initial.T * thermal / thermal_energy(initial.T), .v_P = std::sqrt((P - P0) * dv)};
+}
+
+double QuasiharmonicMetal::compression(md::MetalState initial, double v_P) {
+  constexpr double weakest = 1.001, strongest = 1.7;
+  require(v_P > shocked(initial, weakest * initial.rho).v_P &&
+              v_P < shocked(initial, strongest * initial.rho).v_P,
+          "v_P [m/s]", v_P,
+          fmt::format("must be {:.0f} ... {:.0f}", shocked(initial, weakest * initial.rho).v_P,
+                      shocked(initial, strongest * initial.rho).v_P));
+  double low = weakest, high = strongest;
+  while (high - low > 1e-6) {
+    double const middle = (low + high) / 2;
+    (shocked(initial, middle * initial.rho).v_P < v_P ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+HugoniotCurve plan_hugoniot(HugoniotRequest const& request, QuasiharmonicMetal& metal, cg::Phase start,
+                            std::span<cg::MetalPoint const> known) {
+  HugoniotCurve curve;
+  auto const rho0 = find_rho0(request, metal, known, curve.missing);
+  if (!rho0)
+    return curve;
+  curve.rho0 = *rho0;
+  md::MetalState const initial{.rho = request.rho0 ? *request.rho0 : round_density(rho0->mean),
+                               .T = request.T0};
+  curve.initial = initial;
+  auto const found = known_or_missing(std::array{initial}, known, curve.missing);
+  for (double rho : densities_of(request, metal, initial)) {
+    if (!found.empty()) {
+      solve_compression(found.front(), rho, metal, start, known, curve);
+      continue;
+    }
+    // Sampled together with the initial state.
+    auto const first = states_about(rho, metal.shocked(initial, rho).T, first_temperatures);
+    known_or_missing(first, known, curve.missing);
+  }
+  return curve;
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,25 @@
+#pragma once
+#include "md/metal.hpp"
+#include "workflows/command.hpp"
+
+namespace mesobridge::workflows {
+
+/// The options that every command for metals has.
+struct MetalOptions {
+  std::string potential, element, lattice, preset = "quick", start = "solid";
+  std::optional<int> atoms;
+  std::optional<std::int64_t> melt_steps, equilibration_steps, sampling_steps;
+  std::optional<double> time_step;
+  bool resume = false;
+  bool started_by_ourselves = false;
+};
+
+void add_options(CLI::App& app, MetalOptions& options);
+
+/// What a run is made with; the log file is left to the caller. Throws InputError.
+md::MetalSettings settings_of(MetalOptions const& options, Context const& context);
+
+/// The words with which the program starts itself on several ranks.
+std::vector<std::string> words_for_ranks(Context const& context);
+
+} // namespace mesobridge::workflows
