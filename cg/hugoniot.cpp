@@ -1,5 +1,6 @@
 #include "cg/hugoniot.hpp"
 #include "md/error.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gsl/gsl_fit.h>
@@ -172,7 +173,7 @@ Estimate zero_pressure_density(std::span<MetalPoint const> states) {
 }
 
 Line fit_us_up(std::span<HugoniotPoint const> points) {
-  require(points.size() >= 2, "points of the Hugoniot curve", points.size(), "at least 2 are needed");
+  require(points.size() >= 3, "points of the Hugoniot curve", points.size(), "at least 3 are needed");
   std::vector<double> v_P, v_S, weights(points.size(), 1.0);
   for (auto const& point : points) {
     v_P.push_back(point.v_P.mean);
@@ -189,7 +190,10 @@ Line fit_us_up(std::span<HugoniotPoint const> points) {
           1 / (p.v_S.se * p.v_S.se + line.b * line.b * p.v_P.se * p.v_P.se - 2 * line.b * p.cov_vSvP);
     }
   }
-  return weighted_line(v_P, weights, v_S);
+  line = weighted_line(v_P, weights, v_S);
+  double const scatter = std::max(1.0, line.chi_2 / double(points.size() - 2));
+  line.var_a *= scatter, line.cov_ab *= scatter, line.var_b *= scatter;
+  return line;
 }
 
 } // namespace mesobridge::cg

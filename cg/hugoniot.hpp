@@ -36,7 +36,9 @@ HugoniotPoint solve_hugoniot(MetalPoint const& initial, std::span<MetalPoint con
 Estimate zero_pressure_density(std::span<MetalPoint const> states);
 
 /// v_S = c0 + s v_P through points of one Hugoniot curve, with errors in both (their correlation included) as
-/// effective variances. Throws InputError for fewer than 2 points.
+/// effective variances. Where the points leave a straight line by more than their errors (chi_2 above the
+/// degrees of freedom), the covariance is that of their scatter about it. Throws InputError for fewer than 3
+/// points.
 Line fit_us_up(std::span<HugoniotPoint const> points);
 
 } // namespace mesobridge::cg

@@ -66,9 +66,11 @@ Json line_json(cg::Line const& line, std::size_t points) {
 }
 
 std::string line_text(cg::Line const& line, std::size_t points) {
-  return fmt::format("v_S = c0 + s v_P: c0 = {} m/s, s = {}, chi^2 = {:.1f} for {} degrees of freedom\n",
+  return fmt::format("v_S = c0 + s v_P: c0 = {} m/s, s = {}, chi^2 = {:.4g} for {} degrees of freedom{}\n",
                      with_error_text({line.a, std::sqrt(line.var_a), 0}),
-                     with_error_text({line.b, std::sqrt(line.var_b), 0}), line.chi_2, points - 2);
+                     with_error_text({line.b, std::sqrt(line.var_b), 0}), line.chi_2, points - 2,
+                     line.chi_2 > 3 * double(points - 2) ? " (a curve: the errors are those of the scatter)"
+                                                         : "");
 }
 
 /// Rereads what was sampled and writes the curve.
@@ -115,6 +117,7 @@ Result curve(MetalJob const& job, HugoniotRequest const& request, Context const&
     result.text += line_text(line, found.points.size());
   }
   result.text += csv.string();
+  write_summary(directory / "hugoniot.json", result.json);
   return result;
 }
 

@@ -67,6 +67,7 @@ Result table(MetalJob const& job, Context const& context) {
   result.json = {{"file", h5.string()},     {"csv", csv.string()},  {"runs", job.runs.string()},
                  {"settings", description}, {"warnings", warnings}, {"states", metal_grid_json(points)}};
   result.text = fmt::format("{}\n{}{}", description, metal_grid_text(points), csv.string());
+  write_summary(directory / "metal-grid.json", result.json);
   return result;
 }
 
