@@ -25,15 +25,18 @@ cg::Phase start_of(md::MetalSettings const& settings) {
 }
 
 /// Refuses what cannot be sampled before any rank starts.
-void check(HugoniotRequest const& request, md::MetalSettings const& settings) {
-  double const rho0 = request.rho0.value_or(md::stated_density(settings.potential));
-  md::check({.rho = rho0, .T = request.T0}, settings);
-  for (double compression : request.compressions) {
+void check(HugoniotRequest request, md::MetalSettings const& settings) {
+  md::check({.rho = request.rho0.value_or(md::stated_density(settings.potential)), .T = request.T0},
+            settings);
+  for (double compression : request.compressions)
     require(compression >= 1.01, "--compression", compression, "must be at least 1.01");
-    md::check({.rho = compression * rho0, .T = request.T0}, settings);
-  }
   for (double v_P : request.v_P)
     require(v_P > 0 && std::isfinite(v_P), "--vp [m/s]", v_P, "must be > 0");
+  QuasiharmonicMetal metal(md::MpiWorld(), settings);
+  if (!request.rho0)
+    request.rho0 = metal.zero_pressure_density(request.T0);
+  for (auto const& state : plan_hugoniot(request, metal, start_of(settings), {}).missing)
+    md::check(state, settings);
 }
 
 /// On the ranks that run already: samples what the plan asks for until it asks for nothing.
@@ -126,10 +129,10 @@ Result hugoniot(Options const& options, Context const& context) {
   auto request = options.request;
   if (request.compressions.empty() && request.v_P.empty())
     request.compressions = {1.06, 1.1, 1.14, 1.18, 1.22};
-  check(request, job.settings);
   auto const directory = context.output_directory("out/hugoniot");
   job.runs = directory / "hugoniot-runs.h5";
   job.settings.log_file = directory / "lammps.log";
+  check(request, job.settings);
   if (must_start_ranks(context)) {
     run_on_ranks(ranks_of(context), words_for_ranks(context));
   } else {
