@@ -26,8 +26,9 @@ class MetalRun {
   MetalRun(MpiWorld const& world, MetalState state, MetalSettings const& settings,
            MetalConsumers const& consumers, Log log)
       : state_(state), settings_(settings), consumers_(consumers),
-        block_(settings.lattice, settings.least_atoms) {
-    examine_crystal(world, log);
+        block_(settings.lattice, settings.least_atoms), scales_(scales_of(world, state.rho, settings, log)) {
+    double const c = scales_.sound_speed;
+    T_melt_ = std::max(1.5 * state.T, surely_liquid * settings.potential.mass * c * c / k_B);
     lammps_.emplace(world, Ranks::own, settings.log_file, Log::append);
   }
 
@@ -39,23 +40,7 @@ class MetalRun {
   }
 
  private:
-  void examine_crystal(MpiWorld const& world, Log log) {
-    MetalCrystal crystal(world, settings_.potential, settings_.lattice, settings_.log_file, log);
-    auto const ground = crystal.at_zero_pressure();
-    zero_of_e_ = ground.e;
-    // An expanded crystal is soft or unstable, but its atoms still meet at the speed of the unexpanded one's.
-    double const sound_speed = crystal.bulk_sound_speed(std::max(state_.rho, ground.rho));
-    double const mass = settings_.potential.mass;
-    T_melt_ = std::max(1.5 * state_.T, surely_liquid * mass * sound_speed * sound_speed / k_B);
-    neighbour_distance_ = block_.neighbour_distance(number_density(state_.rho, settings_.potential));
-    sound_speed_ = sound_speed;
-  }
-
-  double time_step(double T) const {
-    double const thermal = std::sqrt(k_B * T / settings_.potential.mass);
-    return settings_.reduced_time_step * neighbour_distance_ / std::max(sound_speed_, thermal) /
-           metal_units::time;
-  }
+  double time_step(double T) const { return scales_.time_step(T, settings_) / metal_units::time; }
 
   void set_up() {
     block_.create(*lammps_, settings_.potential, state_.rho);
@@ -106,12 +91,12 @@ class MetalRun {
          done += settings_.sample_every) {
       if (!advance(settings_.sample_every))
         return false;
-      MetalSample const sample{.step = done,
-                               .T = lammps_->thermo("temp"),
-                               .e = lammps_->thermo("etotal") * metal_units::energy / mass - zero_of_e_,
-                               .P = lammps_->thermo("press") * metal_units::pressure,
-                               .displacement_2 =
-                                   lammps_->compute("moved", 3) * metal_units::length * metal_units::length};
+      MetalSample const sample{
+          .step = done,
+          .T = lammps_->thermo("temp"),
+          .e = lammps_->thermo("etotal") * metal_units::energy / mass - scales_.zero_of_e,
+          .P = lammps_->thermo("press") * metal_units::pressure,
+          .displacement_2 = lammps_->compute("moved", 3) * metal_units::length * metal_units::length};
       if (!std::isfinite(sample.e) || !std::isfinite(sample.P))
         fail("the energy or the pressure is no number");
       if (consumers_.samples && !consumers_.samples(sample))
@@ -168,11 +153,9 @@ class MetalRun {
   MetalSettings const& settings_;
   MetalConsumers const& consumers_;
   CrystalBlock block_;
-  std::optional<LammpsSession> lammps_;
-  double zero_of_e_ = 0;          ///< [J/kg]
-  double T_melt_ = 0;             ///< [K]
-  double neighbour_distance_ = 0; ///< [m]
-  double sound_speed_ = 0;        ///< [m/s]
+  MetalScales scales_;
+  std::optional<LammpsSession> lammps_; // after the session that the scales come from
+  double T_melt_ = 0;                   ///< [K]
   std::int64_t steps_done_ = 0;
 };
 
@@ -193,6 +176,22 @@ std::uint64_t seed_of(std::uint64_t seed, MetalState state) {
 
 } // namespace
 
+double MetalScales::time_step(double T, MetalSettings const& settings) const {
+  double const thermal = std::sqrt(k_B * T / settings.potential.mass);
+  return settings.reduced_time_step * neighbour_distance / std::max(sound_speed, thermal);
+}
+
+MetalScales scales_of(MpiWorld const& world, double rho, MetalSettings const& settings, Log log) {
+  MetalCrystal crystal(world, settings.potential, settings.lattice, settings.log_file, log);
+  auto const ground = crystal.at_zero_pressure();
+  CrystalBlock const block(settings.lattice, settings.least_atoms);
+  return {.zero_of_e = ground.e,
+          // An expanded crystal is soft or unstable, but its atoms still meet at the speed of the unexpanded
+          // one's.
+          .sound_speed = crystal.bulk_sound_speed(std::max(rho, ground.rho)),
+          .neighbour_distance = block.neighbour_distance(number_density(rho, settings.potential))};
+}
+
 std::int64_t MetalSettings::steps() const {
   return (start == MetalStart::liquid ? melt_steps : 0) + equilibration_steps + sampling_steps;
 }
@@ -211,9 +210,9 @@ std::string MetalSettings::description() const {
 MetalSettings metal_settings(Preset preset, MetalPotential const& potential) {
   MetalSettings settings{.potential = potential, .lattice = potential.lattice};
   if (preset == Preset::standard) {
-    settings.least_atoms = 500;
+    settings.least_atoms = 864;
     settings.equilibration_steps = 4000;
-    settings.sampling_steps = 40000;
+    settings.sampling_steps = 60000;
   } else if (preset == Preset::paper) {
     settings.least_atoms = 4000;
     settings.melt_steps = 5000;

@@ -42,6 +42,18 @@ struct MetalSettings {
 
 MetalSettings metal_settings(Preset preset, MetalPotential const& potential);
 
+/// What the crystal at rest tells about runs at one density.
+struct MetalScales {
+  double zero_of_e = 0; ///< specific energy of the crystal of zero pressure, above free atoms [J/kg]
+  double sound_speed =
+      0; ///< bulk sound speed, of the unexpanded crystal where the state is an expanded one [m/s]
+  double neighbour_distance = 0; ///< [m]
+
+  /// [s]
+  double time_step(double T, MetalSettings const& settings) const;
+};
+MetalScales scales_of(MpiWorld const& world, double rho, MetalSettings const& settings, Log log);
+
 /// One instant of a metal.
 struct MetalSample {
   std::int64_t step = 0;

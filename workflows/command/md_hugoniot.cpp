@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/metal/hugoniostat_check.hpp"
 #include "workflows/metal/hugoniot_plan.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
@@ -9,6 +10,7 @@
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -18,6 +20,7 @@ namespace {
 struct Options {
   MetalOptions metal;
   HugoniotRequest request;
+  bool hugoniostat = false;
 };
 
 cg::Phase start_of(md::MetalSettings const& settings) {
@@ -77,7 +80,7 @@ std::string line_text(cg::Line const& line, std::size_t points) {
 }
 
 /// Rereads what was sampled and writes the curve.
-Result curve(MetalJob const& job, HugoniotRequest const& request, Context const& context) {
+Result curve(MetalJob const& job, HugoniotRequest const& request, bool hugoniostat, Context const& context) {
   auto const directory = job.runs.parent_path();
   auto const description = job.settings.description();
   auto const sampled = read_metal_points(job.runs, job.settings).points;
@@ -119,6 +122,13 @@ Result curve(MetalJob const& job, HugoniotRequest const& request, Context const&
     result.json["us_up"] = line_json(line, found.points.size());
     result.text += line_text(line, found.points.size());
   }
+  if (hugoniostat) {
+    auto const is_initial = [&](auto const& point) { return point.state == *found.initial; };
+    auto const initial = std::find_if(sampled.begin(), sampled.end(), is_initial);
+    auto const checks = check_by_hugoniostat(*initial, found.points, job.settings, context);
+    result.json["hugoniostat"] = hugoniostat_json(checks);
+    result.text += hugoniostat_text(checks);
+  }
   result.text += csv.string();
   write_summary(directory / "hugoniot.json", result.json);
   return result;
@@ -129,6 +139,8 @@ Result hugoniot(Options const& options, Context const& context) {
   auto request = options.request;
   if (request.compressions.empty() && request.v_P.empty())
     request.compressions = {1.06, 1.1, 1.14, 1.18, 1.22};
+  require(!options.hugoniostat || job.settings.start == md::MetalStart::solid, "--start", options.metal.start,
+          "must be solid with --hugoniostat, which begins with the crystal");
   auto const directory = context.output_directory("out/hugoniot");
   job.runs = directory / "hugoniot-runs.h5";
   job.settings.log_file = directory / "lammps.log";
@@ -140,7 +152,7 @@ Result hugoniot(Options const& options, Context const& context) {
     if (options.metal.started_by_ourselves || !md::MpiWorld().is_root())
       return {.json = {}, .text = "", .complaint = "", .silent = true};
   }
-  return curve(job, request, context);
+  return curve(job, request, options.hugoniostat, context);
 }
 
 } // namespace
@@ -164,6 +176,9 @@ Command md_hugoniot_command() {
                "--vp", options->request.v_P,
                "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
             ->delimiter(',');
+        app.add_flag(
+            "--hugoniostat", options->hugoniostat,
+            "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
         return [options](Context& context) { return hugoniot(*options, context); };
       }};
 }
