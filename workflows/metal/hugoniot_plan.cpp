@@ -58,19 +58,32 @@ Points known_or_missing(std::span<md::MetalState const> states, std::span<cg::Me
   return points;
 }
 
-/// The density of zero pressure at T0, from three densities about its estimate. Nothing while they are
-/// missing.
+/// The density of zero pressure at T0, from three densities about its estimate, and about the result where
+/// that lies outside of them (a liquid's does). Nothing while they are missing.
 std::optional<cg::Estimate> find_rho0(HugoniotRequest const& request, QuasiharmonicMetal& metal,
                                       std::span<cg::MetalPoint const> known,
                                       std::vector<md::MetalState>& missing) {
   if (request.rho0)
     return cg::Estimate{*request.rho0, 0, 0};
-  double const estimate = metal.zero_pressure_density(request.T0);
-  std::vector<md::MetalState> states;
-  for (double part : {0.99, 1.0, 1.01})
-    states.push_back({.rho = round_density(part * estimate), .T = request.T0});
-  auto const points = known_or_missing(states, known, missing);
-  return missing.empty() ? std::optional(cg::zero_pressure_density(points)) : std::nullopt;
+  constexpr double reach = 0.01;
+  constexpr int rounds = 6;
+  double centre = metal.zero_pressure_density(request.T0);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<md::MetalState> states;
+    for (double part : {1 - reach, 1.0, 1 + reach})
+      states.push_back({.rho = round_density(part * centre), .T = request.T0});
+    auto const points = known_or_missing(states, known, missing);
+    if (!missing.empty())
+      return std::nullopt;
+    auto const found = cg::zero_pressure_density(points);
+    if (std::abs(found.mean / centre - 1) < reach)
+      return found;
+    centre = found.mean;
+  }
+  throw PhysicsError(
+      fmt::format("no density of zero pressure was found at {} K (the last estimate was {:.1f} kg/m^3): "
+                  "give --rho0",
+                  request.T0, centre));
 }
 
 struct Solution {

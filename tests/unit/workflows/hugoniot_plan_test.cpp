@@ -29,6 +29,7 @@ class Nature {
 
   double T_melt = 1e9;
   double latent_heat = 2e5; // J/kg, copper's
+  double pressure_of_melting = 0;
 
   cg::MetalPoint measure(md::MetalState state) {
     auto const cold = cold_.at(state.rho);
@@ -37,7 +38,7 @@ class Nature {
     cg::MetalPoint point;
     point.state = state;
     point.e = {cold.e + thermal + (liquid ? latent_heat : 0), 100, 100};
-    point.P = {cold.P + 1.5 * state.rho * thermal, 1e7, 100};
+    point.P = {cold.P + 1.5 * state.rho * thermal + (liquid ? pressure_of_melting : 0), 1e7, 100};
     point.phase = liquid ? cg::Phase::liquid : cg::Phase::solid;
     return point;
   }
@@ -113,6 +114,20 @@ TEST(HugoniotPlan, MadeAnewFromTheSameStatesItIsTheSame) {
   ASSERT_EQ(again.points.size(), curve.points.size());
   for (std::size_t k = 0; k < curve.points.size(); ++k)
     EXPECT_EQ(again.points[k].T.mean, curve.points[k].T.mean);
+}
+
+TEST(HugoniotPlan, FollowsTheDensityOfZeroPressureFarFromItsEstimate) {
+  ScratchDirectory const scratch;
+  auto const settings = copper(scratch);
+  Nature nature(md::MpiWorld(), settings);
+  nature.T_melt = 100, nature.pressure_of_melting = 8e9; // a liquid is less dense by some per cent
+  HugoniotRequest const request{.T0 = 1400, .rho0 = {}, .compressions = {1.2}, .v_P = {}};
+  auto const [curve, known, rounds] = play(request, nature, settings, cg::Phase::liquid);
+  ASSERT_TRUE(curve.initial);
+  EXPECT_LT(std::abs(nature.measure(*curve.initial).P.mean), 5e7);
+  QuasiharmonicMetal metal(md::MpiWorld(), settings);
+  EXPECT_LT(curve.initial->rho, 0.97 * metal.zero_pressure_density(1400));
+  EXPECT_EQ(curve.points.size(), 1u);
 }
 
 TEST(HugoniotPlan, TakesOnePhaseAndEndsWhereThereIsNone) {
