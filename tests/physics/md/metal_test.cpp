@@ -94,6 +94,17 @@ TEST_F(MetalTest, WhatCannotBeSampledIsAPhysicsError) {
   settings_.melt_steps = 1;
   std::vector<MetalSample> samples;
   EXPECT_THROW(run({9000, 300}, samples), PhysicsError) << "a crystal that does not melt";
+  settings_ = small_settings();
+  settings_.least_atoms = 256;
+  settings_.reduced_time_step = 0.1;
+  try {
+    run({17000, 1e5}, samples);
+    FAIL() << "atoms that fly apart";
+  } catch (PhysicsError const& error) {
+    std::string const text = error.what();
+    for (char const* part : {"Cu at 17000 kg/m^3, 100000 K", "unstable", "Lost atoms", "--time-step"})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
 }
 
 TEST_F(MetalTest, RefusesBadInputBeforeAnyRun) {
