@@ -1,10 +1,7 @@
 #include "md/metal.hpp"
 #include "md/seeds.hpp"
-#include "md/shared_runs.hpp"
 #include "md/units.hpp"
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 namespace mesobridge::md {
@@ -159,21 +156,6 @@ class MetalRun {
   std::int64_t steps_done_ = 0;
 };
 
-constexpr std::size_t numbers_of_sample = 5;
-
-std::vector<MetalSample> samples_of(std::span<double const> numbers) {
-  std::vector<MetalSample> samples;
-  for (std::size_t k = 0; k + numbers_of_sample <= numbers.size(); k += numbers_of_sample)
-    samples.push_back(
-        {std::int64_t(numbers[k]), numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4]});
-  return samples;
-}
-
-/// The same seed for the same state in whatever company it is sampled.
-std::uint64_t seed_of(std::uint64_t seed, MetalState state) {
-  return mix(mix(seed, std::bit_cast<std::uint64_t>(state.rho)), std::bit_cast<std::uint64_t>(state.T));
-}
-
 } // namespace
 
 double MetalScales::time_step(double T, MetalSettings const& settings) const {
@@ -252,43 +234,6 @@ std::optional<MetalEnd> sample_metal(MpiWorld const& world, MetalState state, Me
                                      MetalConsumers const& consumers, Log log) {
   check(state, settings);
   return MetalRun(world, state, settings, consumers, log).run();
-}
-
-bool sample_metal_grid(MpiWorld const& world, std::span<MetalState const> states,
-                       MetalSettings const& settings, MetalGridConsumers const& consumers) {
-  require(!states.empty(), "states of the grid", states.size(), "at least one is needed");
-  std::vector<double> costs;
-  for (MetalState state : states) {
-    check(state, settings);
-    costs.push_back(state.rho); // the neighbours of an atom
-  }
-  auto own = settings;
-  own.log_file = log_of_rank(settings.log_file, world.rank());
-  Log log = Log::replace;
-  auto const make = [&](std::size_t index, RunReporter& reporter) {
-    own.seed = seed_of(settings.seed, states[index]);
-    auto const end = sample_metal(world, states[index], own,
-                                  {.samples =
-                                       [&](MetalSample const& s) {
-                                         reporter.sample({double(s.step), s.T, s.e, s.P, s.displacement_2});
-                                         return true;
-                                       },
-                                   .steps = [&](std::int64_t done) { return reporter.steps(done); }},
-                                  log);
-    log = Log::append;
-    return end && reporter.conclude(own.steps(), std::array{end->lattice_order, end->part_beyond_table});
-  };
-  SharedRunConsumers shared{.samples = {}, .conclusion = {}, .progress = consumers.progress};
-  if (consumers.samples)
-    shared.samples = [&](std::size_t k, std::span<double const> n) {
-      return consumers.samples(k, samples_of(n));
-    };
-  if (consumers.end)
-    shared.conclusion = [&](std::size_t k, std::span<double const> n) {
-      return consumers.end(k, {.lattice_order = n[0], .part_beyond_table = n[1]});
-    };
-  double const all_steps = double(settings.steps()) * double(states.size());
-  return share_runs(world, share_by_cost(costs, world.size()), all_steps, make, shared);
 }
 
 } // namespace mesobridge::md

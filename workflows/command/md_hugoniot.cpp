@@ -17,6 +17,10 @@ namespace mesobridge::workflows {
 
 namespace {
 
+constexpr char const* meaning = "equilibrium states of even compression: behind a shock whose shear stress "
+                                "has relaxed, without an elastic "
+                                "precursor; solid or liquid as a run of picoseconds from this start stays";
+
 struct Options {
   MetalOptions metal;
   HugoniotRequest request;
@@ -109,14 +113,15 @@ Result curve(MetalJob const& job, HugoniotRequest const& request, bool hugoniost
                  {"csv", csv.string()},
                  {"runs", job.runs.string()},
                  {"settings", description},
+                 {"meaning", meaning},
                  {"rho0_kg_m3", found.rho0.mean},
                  {"rho0_kg_m3_se", found.rho0.se},
                  {"T0_K", request.T0},
                  {"warnings", warnings},
                  {"points", hugoniot_json(found.points)},
                  {"states", metal_grid_json(sampled)}};
-  result.text = fmt::format("{}\nfrom {} kg/m^3, {} K\n{}", description, with_error_text(found.rho0),
-                            request.T0, hugoniot_text(found.points));
+  result.text = fmt::format("{};\n{}\nfrom {} kg/m^3, {} K\n{}", description, meaning,
+                            with_error_text(found.rho0), request.T0, hugoniot_text(found.points));
   if (found.points.size() >= 3) {
     auto const line = cg::fit_us_up(found.points);
     result.json["us_up"] = line_json(line, found.points.size());
@@ -171,11 +176,13 @@ Command md_hugoniot_command() {
             ->type_name("REAL");
         app.add_option("--compression", options->request.compressions,
                        "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
-            ->delimiter(',');
+            ->delimiter(',')
+            ->default_str("");
         app.add_option(
                "--vp", options->request.v_P,
                "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
-            ->delimiter(',');
+            ->delimiter(',')
+            ->default_str("");
         app.add_flag(
             "--hugoniostat", options->hugoniostat,
             "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");

@@ -99,8 +99,11 @@ Command md_metal_grid_command() {
             add_options(app, options->metal);
             app.add_option("--rho", options->rho,
                            "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)")
-                ->delimiter(',');
-            app.add_option("--T", options->T, "Temperatures [K] (default: 300, 700, 1200)")->delimiter(',');
+                ->delimiter(',')
+                ->default_str("");
+            app.add_option("--T", options->T, "Temperatures [K] (default: 300, 700, 1200)")
+                ->delimiter(',')
+                ->default_str("");
             return [options](Context& context) { return metal_grid(*options, context); };
           }};
 }

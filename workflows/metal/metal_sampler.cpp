@@ -1,5 +1,6 @@
 #include "workflows/metal/metal_sampler.hpp"
 #include "md/error.hpp"
+#include "md/metal_grid.hpp"
 #include "workflows/interrupt.hpp"
 #include <algorithm>
 
