@@ -1,0 +1,218 @@
+#include "fitting/fit.hpp"
+#include "fitting/fit_search.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <gsl/gsl_statistics_double.h>
+#include <limits>
+#include <random>
+
+namespace mesobridge::fitting {
+namespace {
+
+/// A coordinate nearer than this to 0 or 1 is held by its bound.
+constexpr double on_bound = 1e-7;
+
+std::vector<Eigen::Index> inside_bounds(Eigen::VectorXd const& u) {
+  std::vector<Eigen::Index> inside;
+  for (Eigen::Index k = 0; k < u.size(); ++k)
+    if (u[k] > on_bound && u[k] < 1 - on_bound)
+      inside.push_back(k);
+  return inside;
+}
+
+Eigen::VectorXd search(FitCoordinates const& coordinates, FitOptions const& options) {
+  Eigen::VectorXd u = options.global_evaluations > 0
+                          ? search_globally(coordinates, options.global_evaluations, options.seed)
+                          : coordinates.start();
+  auto const residuals = coordinates.feasible_residuals(u);
+  if (!residuals)
+    throw PhysicsError(
+        "at the start values the model does not reach all data, or is not physical: give others "
+        "or search globally");
+  require(residuals->size() >= u.size(), "number of data", residuals->size(),
+          fmt::format("must be at least that of the free parameters, {}", u.size()));
+  u = polish(coordinates, u, inside_bounds(u));
+  u = descend_constrained(coordinates, u);
+  return polish(coordinates, u, inside_bounds(u));
+}
+
+/// Principal axes of the Gauss-Newton Hessian J^T J by singular values of J: squaring would lose half the
+/// digits.
+std::vector<FitAxis> axes_of(Eigen::MatrixXd const& J) {
+  Eigen::JacobiSVD<Eigen::MatrixXd> const svd(J, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  // Differences are good to about 1e-9 of the largest: smaller singular values are noise.
+  double const noise = 1e-9 * svd.singularValues()(0);
+  std::vector<FitAxis> axes;
+  for (Eigen::Index k = 0; k < J.cols(); ++k) {
+    double const value = svd.singularValues()(k);
+    axes.push_back(
+        {value > noise ? 1 / value : std::numeric_limits<double>::infinity(), svd.matrixV().col(k)});
+  }
+  return axes;
+}
+
+Eigen::MatrixXd covariance_of(std::vector<FitAxis> const& axes, Eigen::VectorXd const& slopes) {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(slopes.size(), slopes.size());
+  for (auto const& axis : axes) {
+    double const sd = std::min(axis.sd, FitAxis::of_bounds);
+    Eigen::VectorXd const scaled = slopes.cwiseProduct(axis.components);
+    covariance += sd * sd * scaled * scaled.transpose();
+  }
+  return covariance;
+}
+
+/// Whether the fit could still improve: the Gauss-Newton step in the coordinates that no bound holds.
+bool no_descent_left(Eigen::MatrixXd const& J, Eigen::VectorXd const& r,
+                     std::vector<Eigen::Index> const& moving) {
+  if (moving.empty())
+    return true;
+  Eigen::MatrixXd const part = J(Eigen::all, moving);
+  // Along axes without information neither residuals nor gradients change.
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(part, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(1e-7);
+  Eigen::VectorXd const step = svd.solve(r);
+  constexpr double improvement = 1e-6;
+  return (part * step).squaredNorm() < improvement * (1 + r.squaredNorm());
+}
+
+bool near_constraint(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
+  auto const c = coordinates.constraints(u).value();
+  return c.size() > 0 && c.minCoeff() < 1e-6;
+}
+
+std::string listed(std::vector<std::string> const& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+} // namespace
+
+std::string Parameter::key() const {
+  std::string suffix = unit.empty() ? "" : "_" + unit;
+  std::string const from = "/(*", to = "___";
+  for (char& c : suffix)
+    if (auto const at = from.find(c); at != std::string::npos)
+      c = to[at];
+  std::erase_if(suffix, [](char c) { return c == ')' || c == ' ' || c == '^'; });
+  return name + suffix;
+}
+
+double FitOutcome::se(Eigen::Index parameter) const {
+  auto const found = std::ranges::find(free, parameter);
+  if (found == free.end())
+    return 0;
+  auto const k = found - free.begin();
+  return std::sqrt(covariance(k, k));
+}
+
+Eigen::MatrixXd FitOutcome::correlation() const {
+  Eigen::VectorXd const inverse_se = covariance.diagonal().cwiseSqrt().cwiseInverse();
+  return inverse_se.asDiagonal() * covariance * inverse_se.asDiagonal();
+}
+
+bool FitOutcome::determined(Eigen::Index parameter) const {
+  auto const found = std::ranges::find(free, parameter);
+  if (found == free.end())
+    return true;
+  auto const k = found - free.begin();
+  double variance = 0; // of the coordinate, by the data alone
+  for (auto const& axis : axes)
+    if (double const share = axis.components[k] * axis.components[k]; share > 1e-6)
+      variance += share * axis.sd * axis.sd;
+  return variance < FitAxis::of_bounds * FitAxis::of_bounds;
+}
+
+std::vector<std::string> FitOutcome::undetermined() const {
+  std::vector<std::string> sentences;
+  for (auto const& axis : axes) {
+    if (axis.determined())
+      continue;
+    std::vector<std::string> names;
+    double const largest = axis.components.cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < axis.components.size(); ++k)
+      if (std::abs(axis.components[k]) > 0.3 * largest)
+        names.push_back(parameters[free[k]].name);
+    sentences.push_back(
+        names.size() == 1
+            ? fmt::format(
+                  "The data do not determine {}: all that is known of it are its bounds. Fix it, or narrow "
+                  "its bounds.",
+                  names[0])
+            : fmt::format(
+                  "Of {} the data determine only combinations: along one of them nothing is known but the "
+                  "bounds. Fix one of these parameters, or narrow its bounds.",
+                  listed(names)));
+  }
+  return sentences;
+}
+
+FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
+  FitCoordinates const coordinates(problem);
+  require(coordinates.size() > 0, "free parameters", 0, "at least one parameter must be free");
+  require(options.global_evaluations >= 0, "evaluations of the global search", options.global_evaluations,
+          "must be >= 0");
+  Eigen::VectorXd const u = search(coordinates, options);
+  FitOutcome outcome{.parameters = problem.parameters,
+                     .free = coordinates.free(),
+                     .values = coordinates.values(u),
+                     .covariance = {},
+                     .axes = {},
+                     .residuals = coordinates.residuals(u).value(),
+                     .at_bound = {}};
+  auto const moving = inside_bounds(u);
+  for (Eigen::Index k = 0; k < u.size(); ++k)
+    if (std::ranges::find(moving, k) == moving.end())
+      outcome.at_bound.push_back(outcome.free[k]);
+  Eigen::MatrixXd const J = coordinates.jacobian(u, outcome.residuals);
+  outcome.axes = axes_of(J);
+  outcome.covariance = covariance_of(outcome.axes, coordinates.slopes(u));
+  outcome.constrained = near_constraint(coordinates, u);
+  outcome.converged = no_descent_left(J, outcome.residuals, moving);
+  outcome.evaluations = coordinates.evaluations();
+  return outcome;
+}
+
+double Bootstrap::se(Eigen::Index column) const {
+  Eigen::VectorXd const values_of_one = values.col(column);
+  return gsl_stats_sd(values_of_one.data(), 1, values_of_one.size());
+}
+
+double Bootstrap::quantile(Eigen::Index column, double p) const {
+  Eigen::VectorXd sorted = values.col(column);
+  std::sort(sorted.begin(), sorted.end());
+  return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), p);
+}
+
+Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repeats, std::uint64_t seed) {
+  require(repeats >= 2, "bootstrap repeats", repeats, "must be at least 2");
+  FitProblem again = problem;
+  for (auto const i : best.free)
+    again.parameters[i].start = best.values[i];
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd noise(best.residuals.size());
+  // Data drawn from the best fit have the residuals of the old data, minus theirs at the best fit, plus
+  // noise.
+  again.residuals = [&](Eigen::VectorXd const& x) {
+    return Eigen::VectorXd(problem.residuals(x) - best.residuals + noise);
+  };
+  Bootstrap result{Eigen::MatrixXd(repeats, best.free.size())};
+  Eigen::Index done = 0;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (auto& component : noise)
+      component = normal(generator);
+    try {
+      result.values.row(done) =
+          fit(again, {.seed = seed, .global_evaluations = 0}).values(best.free).transpose();
+      ++done;
+    } catch (PhysicsError const&) {
+      ++result.failed;
+    }
+  }
+  result.values.conservativeResize(done, Eigen::NoChange);
+  if (done < 2)
+    throw PhysicsError(fmt::format("{} of {} refits of the bootstrap failed", result.failed, repeats));
+  return result;
+}
+
+} // namespace mesobridge::fitting

@@ -1,0 +1,40 @@
+#pragma once
+#include "fitting/fit.hpp"
+#include <optional>
+
+namespace mesobridge::fitting {
+
+/// The free parameters of a problem as coordinates u in the unit box, which all stages of a fit share.
+class FitCoordinates {
+ public:
+  /// Throws InputError unless lower < upper and lower <= start <= upper for every free parameter, and
+  /// lower > 0 for logarithmic ones.
+  explicit FitCoordinates(FitProblem const& problem);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(free_.size()); }
+  std::vector<Eigen::Index> const& free() const { return free_; }
+  Eigen::VectorXd start() const;
+  Eigen::VectorXd values(Eigen::VectorXd const& u) const; ///< all parameters
+  Eigen::VectorXd slopes(Eigen::VectorXd const& u) const; ///< d(parameter)/du of the free ones
+
+  /// Residuals, or nothing where the model has no answer, or outside the box.
+  std::optional<Eigen::VectorXd> residuals(Eigen::VectorXd const& u) const;
+  /// Constraints, or nothing where they cannot be told; empty when there are none.
+  std::optional<Eigen::VectorXd> constraints(Eigen::VectorXd const& u) const;
+  /// Whether the point lies in the box, the model has an answer and the constraints are positive.
+  bool feasible(Eigen::VectorXd const& u) const;
+  /// Residuals where feasible.
+  std::optional<Eigen::VectorXd> feasible_residuals(Eigen::VectorXd const& u) const;
+  /// d(residuals)/du by central differences, one-sided at the edge of what is feasible.
+  /// Throws PhysicsError when neither side is.
+  Eigen::MatrixXd jacobian(Eigen::VectorXd const& u, Eigen::VectorXd const& residuals) const;
+
+  int evaluations() const { return evaluations_; }
+
+ private:
+  FitProblem const& problem_;
+  std::vector<Eigen::Index> free_;
+  mutable int evaluations_ = 0;
+};
+
+} // namespace mesobridge::fitting
