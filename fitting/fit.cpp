@@ -52,14 +52,14 @@ std::vector<FitAxis> axes_of(Eigen::MatrixXd const& J) {
   return axes;
 }
 
-Eigen::MatrixXd covariance_of(std::vector<FitAxis> const& axes, Eigen::VectorXd const& slopes) {
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(slopes.size(), slopes.size());
-  for (auto const& axis : axes) {
-    double const sd = std::min(axis.sd, FitAxis::of_bounds);
-    Eigen::VectorXd const scaled = slopes.cwiseProduct(axis.components);
-    covariance += sd * sd * scaled * scaled.transpose();
-  }
-  return covariance;
+/// The covariance as L L^T, without forming it (it would lose half of the digits).
+Eigen::MatrixXd covariance_factor(std::vector<FitAxis> const& axes, Eigen::VectorXd const& slopes) {
+  Eigen::MatrixXd spread(slopes.size(), slopes.size());
+  for (Eigen::Index k = 0; k < spread.cols(); ++k)
+    spread.col(k) = std::min(axes[k].sd, FitAxis::of_bounds) * slopes.cwiseProduct(axes[k].components);
+  Eigen::HouseholderQR<Eigen::MatrixXd> const qr(spread.transpose());
+  Eigen::MatrixXd const upper = qr.matrixQR().triangularView<Eigen::Upper>();
+  return upper.transpose();
 }
 
 /// Whether the fit could still improve: the Gauss-Newton step in the coordinates that no bound holds.
@@ -87,27 +87,44 @@ std::string listed(std::vector<std::string> const& names) {
 
 } // namespace
 
-std::string Parameter::key() const {
-  std::string suffix = unit.empty() ? "" : "_" + unit;
-  std::string const from = "/(*", to = "___";
-  for (char& c : suffix)
-    if (auto const at = from.find(c); at != std::string::npos)
-      c = to[at];
-  std::erase_if(suffix, [](char c) { return c == ')' || c == ' ' || c == '^'; });
-  return name + suffix;
-}
-
 double FitOutcome::se(Eigen::Index parameter) const {
   auto const found = std::ranges::find(free, parameter);
   if (found == free.end())
     return 0;
   auto const k = found - free.begin();
-  return std::sqrt(covariance(k, k));
+  return covariance_factor.row(k).norm();
 }
 
 Eigen::MatrixXd FitOutcome::correlation() const {
-  Eigen::VectorXd const inverse_se = covariance.diagonal().cwiseSqrt().cwiseInverse();
-  return inverse_se.asDiagonal() * covariance * inverse_se.asDiagonal();
+  Eigen::MatrixXd const rows = covariance_factor.rowwise().normalized();
+  return rows * rows.transpose();
+}
+
+double FitOutcome::se_of(std::function<double(Eigen::VectorXd const&)> const& function) const {
+  constexpr double step = 1e-3; // of a standard error
+  double sum = 0;
+  for (Eigen::Index k = 0; k < covariance_factor.cols(); ++k) {
+    auto const at = [&](double steps) -> std::optional<double> {
+      Eigen::VectorXd shifted = values;
+      shifted(free) += steps * step * covariance_factor.col(k);
+      try {
+        return function(shifted);
+      } catch (PhysicsError const&) {
+        return std::nullopt;
+      } catch (InputError const&) {
+        return std::nullopt;
+      }
+    };
+    // One-sided at the edge of what the model allows.
+    auto const above = at(1), below = at(-1);
+    if (!above && !below)
+      throw PhysicsError("the fit lies on the edge of what the model allows: its errors cannot be told");
+    double const rise = above && below ? 0.5 * (*above - *below)
+                        : above        ? *above - function(values)
+                                       : function(values) - *below;
+    sum += rise * rise / (step * step);
+  }
+  return std::sqrt(sum);
 }
 
 bool FitOutcome::determined(Eigen::Index parameter) const {
@@ -155,7 +172,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
   FitOutcome outcome{.parameters = problem.parameters,
                      .free = coordinates.free(),
                      .values = coordinates.values(u),
-                     .covariance = {},
+                     .covariance_factor = {},
                      .axes = {},
                      .residuals = coordinates.residuals(u).value(),
                      .at_bound = {}};
@@ -165,7 +182,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
       outcome.at_bound.push_back(outcome.free[k]);
   Eigen::MatrixXd const J = coordinates.jacobian(u, outcome.residuals);
   outcome.axes = axes_of(J);
-  outcome.covariance = covariance_of(outcome.axes, coordinates.slopes(u));
+  outcome.covariance_factor = covariance_factor(outcome.axes, coordinates.slopes(u));
   outcome.constrained = near_constraint(coordinates, u);
   outcome.converged = no_descent_left(J, outcome.residuals, moving);
   outcome.evaluations = coordinates.evaluations();

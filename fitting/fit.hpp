@@ -10,14 +10,12 @@ namespace mesobridge::fitting {
 /// One parameter of a model that is fitted. Values and bounds in the parameter's own unit.
 struct Parameter {
   std::string name; ///< "K_s"
+  std::string key;  ///< "K_s_Pa": with its unit, as in files
   std::string unit; ///< "Pa"; empty for pure numbers
   std::string meaning;
   double start, lower, upper;
   bool logarithmic = false; ///< searched by its logarithm: for positive ones that may span decades
   bool free = true;         ///< otherwise it stays at `start`
-
-  /// "K_s_Pa", "N_s": the name as a key in files.
-  std::string key() const;
 };
 
 /// What is fitted: minimise |residuals|^2 subject to the bounds and to constraints > 0.
@@ -53,9 +51,9 @@ struct FitOutcome {
   std::vector<Parameter> parameters;
   std::vector<Eigen::Index> free; ///< which of them were fitted
   Eigen::VectorXd values;         ///< all parameters
-  /// Of the free parameters, from the Gauss-Newton Hessian at the best fit. Along axes that the data do not
-  /// determine it is that of the bounds.
-  Eigen::MatrixXd covariance;
+  /// Lower triangular L of the covariance L L^T of the free parameters, from the Gauss-Newton Hessian at the
+  /// best fit. Along axes that the data do not determine it is that of the bounds.
+  Eigen::MatrixXd covariance_factor;
   std::vector<FitAxis> axes;          ///< best determined first
   Eigen::VectorXd residuals;          ///< whitened, at the best fit
   std::vector<Eigen::Index> at_bound; ///< free parameters that ended on a bound: their errors are one-sided
@@ -67,11 +65,14 @@ struct FitOutcome {
   int degrees_of_freedom() const {
     return static_cast<int>(residuals.size()) - static_cast<int>(free.size());
   }
+  Eigen::MatrixXd covariance() const { return covariance_factor * covariance_factor.transpose(); }
   /// Standard error of parameter i (0 for fixed ones) and correlation of two free ones.
   double se(Eigen::Index parameter) const;
   Eigen::MatrixXd correlation() const;
   /// Whether the data determine parameter i better than its bounds; true for fixed ones.
   bool determined(Eigen::Index parameter) const;
+  /// Standard error that the fit leaves to a function of all parameters, linearised.
+  double se_of(std::function<double(Eigen::VectorXd const&)> const& function) const;
   /// What the data do not determine, in words; empty if nothing.
   std::vector<std::string> undetermined() const;
 };

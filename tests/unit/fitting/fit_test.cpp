@@ -7,7 +7,8 @@ namespace mesobridge::fitting::test {
 namespace {
 
 Parameter parameter(std::string name, double start, double lower, double upper, bool logarithmic = false) {
-  return {.name = std::move(name),
+  return {.name = name,
+          .key = name,
           .unit = "",
           .meaning = "",
           .start = start,
@@ -113,6 +114,9 @@ TEST(Fit, ErrorsAndCorrelationOfAStraightLineAreTheTextbookOnes) {
   EXPECT_NEAR(found.values[1], 2, 1e-8);
   EXPECT_NEAR(found.se(0), std::sqrt(285.0 / 825), 1e-6);
   EXPECT_NEAR(found.se(1), std::sqrt(10.0 / 825), 1e-6);
+  // At x = 3 the variance is 285/825 - 6 * 45/825 + 9 * 10/825.
+  auto const at_3 = [](Eigen::VectorXd const& p) { return p[0] + 3 * p[1]; };
+  EXPECT_NEAR(found.se_of(at_3), std::sqrt((285.0 - 6 * 45 + 90) / 825), 1e-6);
   EXPECT_NEAR(found.correlation()(0, 1), -45 / std::sqrt(285.0 * 10), 1e-6);
   EXPECT_TRUE(found.undetermined().empty());
 }
@@ -169,7 +173,7 @@ TEST(Fit, SaysWhatTheDataDoNotDetermine) {
   EXPECT_NEAR(found.values[0] + found.values[1], 5, 1e-6);
   // The sum is known to 0.1/2 whatever its parts.
   Eigen::Vector3d const sum(1, 1, 0);
-  EXPECT_NEAR(std::sqrt(sum.dot(found.covariance * sum)), 0.05, 1e-4);
+  EXPECT_NEAR(std::sqrt(sum.dot(found.covariance() * sum)), 0.05, 1e-4);
 }
 
 TEST(Fit, IsDeterministicForASeed) {
