@@ -98,9 +98,9 @@ class LinearHugoniot {
 
   ReachedState moving(double rho, double T, double e, double P) const {
     double const w = 1 / rho_0_ - 1 / rho, squared = (P - P_0_) * w;
-    if (!(squared > 0))
-      throw PhysicsError(
-          fmt::format("{}: the pressure does not rise from density {} to {}", Model::name, rho_0_, rho));
+    if (!(w > 0 && squared > 0))
+      throw PhysicsError(fmt::format("{}: from density {} to {} there is no compression by a shock",
+                                     Model::name, rho_0_, rho));
     double const v_P = std::sqrt(squared);
     return {rho, T, e, P, v_P, v_P / (w * rho_0_)};
   }

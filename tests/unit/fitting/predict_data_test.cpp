@@ -23,13 +23,14 @@ TEST(PredictData, ShockOfNitromethaneIsTheIndependentOne) {
 }
 
 TEST(PredictData, DetonationsOfTheProductsAreTheIndependentOnes) {
-  // By its own calibration, and from liquid nitromethane at 1104 kg/m^3 and 300 K with q = 4.716 MJ/kg.
+  // By its own calibration, and from liquid nitromethane at 1104 kg/m^3 and 300 K with q = 4.716 MJ/kg at P =
+  // 0.
   auto const own =
       reach(products, {.path = DataPath::cj, .start = StartState{.rho = 1128, .e = 0.0, .P = 0.0}}, 0);
   EXPECT_NEAR(own.v_S, 6280, 3);
-  EXPECT_NEAR(own.rho, products.rho_CJ(), 3);
-  auto const liquid = nitromethane.isochore(1104.0);
-  StartState const start{.rho = 1104, .e = liquid.energy(300) + 4.716e6, .P = liquid.pressure(300)};
+  // D is flat at its minimum: the printed P_CJ only comes near it.
+  EXPECT_NEAR(own.rho, products.rho_CJ(), 6);
+  StartState const start{.rho = 1104, .e = nitromethane.isochore(1104.0).energy(300) + 4.716e6, .P = 0.0};
   auto const cj = reach(products, {.path = DataPath::cj, .start = start}, 0);
   EXPECT_NEAR(cj.v_S, 6757, 1);
   EXPECT_NEAR(cj.rho, 1578.6, 0.3);
@@ -89,7 +90,8 @@ TEST(PredictData, EnergiesMayHaveAZeroOfTheirOwn) {
   EXPECT_NEAR(reach(tin, by_e, offset).T, 900, 1e-9);
   // A shock from a stated energy does not notice the zero either.
   Observation const by_density{.path = DataPath::hugoniot,
-                               .start = StartState{.rho = 7290, .e = tin.isochore(7290.0).energy(300) + offset},
+                               .start =
+                                   StartState{.rho = 7290, .e = tin.isochore(7290.0).energy(300) + offset},
                                .given = {{Quantity::v_P, 1000}}};
   Observation const same{.path = DataPath::hugoniot,
                          .start = StartState{.rho = 7290, .T = 300},
@@ -98,7 +100,8 @@ TEST(PredictData, EnergiesMayHaveAZeroOfTheirOwn) {
 }
 
 TEST(PredictData, RefusesWhatTheModelDoesNotReach) {
-  LinearHugoniot const shocks(tin, 7290, tin.isochore(7290.0).energy(300), tin.isochore(7290.0).pressure(300));
+  LinearHugoniot const shocks(tin, 7290, tin.isochore(7290.0).energy(300),
+                              tin.isochore(7290.0).pressure(300));
   EXPECT_THROW(shocks.at_speed(1000), PhysicsError);    // below the sound speed
   EXPECT_THROW(shocks.at_pressure(-1e9), PhysicsError); // no compression
   EXPECT_THROW(shocks.at_density(7000), PhysicsError);
