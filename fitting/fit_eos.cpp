@@ -119,6 +119,22 @@ ValidRange box_of(std::vector<FittedObservation> const& observations) {
 
 } // namespace
 
+EosModel EosFit::model(std::string data_hash, std::map<std::string, std::string> provenance) const {
+  // The energy offset is the last parameter and no part of the model: the leading rows of L are its
+  // covariance.
+  std::vector<std::string> fitted;
+  for (auto const i : outcome.free)
+    if (i + 1 < outcome.values.size())
+      fitted.push_back(outcome.parameters[static_cast<std::size_t>(i)].key);
+  auto const n = static_cast<Eigen::Index>(fitted.size());
+  return {.eos = eos,
+          .covariance_factor = Eigen::MatrixXd(outcome.covariance_factor.topLeftCorner(n, n)),
+          .valid = valid,
+          .data_hash = std::move(data_hash),
+          .provenance = std::move(provenance),
+          .fitted = std::move(fitted)};
+}
+
 cg::Estimate EosFit::estimate(std::function<double(AnyEos const&)> const& function) const {
   return {function(eos),
           outcome.se_of([&](Eigen::VectorXd const& values) { return function(family.build(values)); }), 0};

@@ -62,6 +62,8 @@ struct EosFit {
   ValidRange valid; ///< box of the states of the data in the model
   double energy_offset;
 
+  /// The model ready to be written.
+  EosModel model(std::string data_hash, std::map<std::string, std::string> provenance) const;
   /// Value and standard error of anything that a model of the family says.
   cg::Estimate estimate(std::function<double(AnyEos const&)> const& function) const;
 };

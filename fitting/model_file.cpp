@@ -3,6 +3,7 @@
 #include "fitting/parametric_file.hpp"
 #include "fitting/toml_reader.hpp"
 #include <algorithm>
+#include <array>
 #include <span>
 #include <sstream>
 
@@ -10,7 +11,6 @@ namespace mesobridge::fitting {
 namespace {
 
 constexpr std::string_view format_name = "mesobridge equation of state 1";
-constexpr std::size_t triangle = bwr::parameters * (bwr::parameters + 1) / 2;
 
 /// Shortest text that reads back to the same bits, always a TOML float.
 std::string exact(double x) {
@@ -69,22 +69,39 @@ std::string body(Model const& model) {
   return text;
 }
 
-std::string covariance_text(Eigen::MatrixXd const& L) {
+std::string covariance_text(Eigen::MatrixXd const& L, std::vector<std::string> const& fitted) {
   std::vector<double> rows;
   for (Eigen::Index i = 0; i < L.rows(); ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
       rows.push_back(L(i, j));
+  std::string names;
+  for (auto const& key : fitted)
+    names += (names.empty() ? "" : ", ") + quoted(key);
   return fmt::format(
-      "\n# The covariance of x is L L^T; rows of the lower triangle of L\n[covariance]\nL = {}\n",
-      array(rows));
+      "\n# The covariance of {} is L L^T; rows of the lower triangle of L\n[covariance]\n{}L = {}\n",
+      fitted.empty() ? "x" : "these parameters",
+      fitted.empty() ? "" : fmt::format("parameters = [{}]\n", names), array(rows));
 }
 
-std::string valid_text(ValidRange const& v) {
-  return fmt::format("\n# Where the data lie, Lennard-Jones units per atom\n[valid]\nrho_min = {}\nrho_max = "
-                     "{}\nT_min = {}\n"
-                     "T_max = {}\ne_min = {}\ne_max = {}\n",
-                     exact(v.rho_min), exact(v.rho_max), exact(v.T_min), exact(v.T_max), exact(v.e_min),
-                     exact(v.e_max));
+/// Keys of the valid range, with SI units for models that are not reduced.
+std::array<std::string_view, 6> valid_keys(bool reduced) {
+  if (reduced)
+    return {"rho_min", "rho_max", "T_min", "T_max", "e_min", "e_max"};
+  return {"rho_min_kg_m3", "rho_max_kg_m3", "T_min_K", "T_max_K", "e_min_J_kg", "e_max_J_kg"};
+}
+
+bool has_reduced_range(AnyEos const& eos) {
+  return std::holds_alternative<LjBwr>(eos);
+}
+
+std::string valid_text(ValidRange const& v, bool reduced) {
+  auto const keys = valid_keys(reduced);
+  std::array const values{v.rho_min, v.rho_max, v.T_min, v.T_max, v.e_min, v.e_max};
+  std::string text = fmt::format("\n# Where the data lie, {}\n[valid]\n",
+                                 reduced ? "Lennard-Jones units per atom" : "per unit mass");
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    text += fmt::format("{} = {}\n", keys[i], exact(values[i]));
+  return text;
 }
 
 IdealGas read_ideal_gas(TomlReader& file) {
@@ -134,21 +151,46 @@ Model read_parametric(TomlReader& file) {
   return Model(parameters);
 }
 
-Eigen::MatrixXd read_covariance(TomlReader table) {
-  auto const rows = table.numbers("L", triangle);
-  table.refuse_unknown();
-  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(bwr::parameters, bwr::parameters);
+Eigen::MatrixXd read_triangle(TomlReader& table, std::size_t size) {
+  auto const rows = table.numbers("L", size * (size + 1) / 2);
+  auto const n = static_cast<Eigen::Index>(size);
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
   auto next = rows.begin();
-  for (Eigen::Index i = 0; i < L.rows(); ++i)
+  for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
       L(i, j) = *next++;
   return L;
 }
 
-ValidRange read_valid(TomlReader table) {
-  ValidRange const v{table.number("rho_min"), table.number("rho_max"), table.number("T_min"),
-                     table.number("T_max"),   table.number("e_min"),   table.number("e_max")};
+/// Keys of the parameters of a model that is a plain struct of numbers; none for the others.
+std::vector<std::string> parameter_keys(AnyEos const& any) {
+  return std::visit(
+      []<class Model>(Model const&) {
+        std::vector<std::string> keys;
+        if constexpr (ParametricModel<Model>)
+          for (auto const& key : FileForm<Model>::keys)
+            keys.emplace_back(key.name);
+        return keys;
+      },
+      any);
+}
+
+void read_covariance(TomlReader table, EosModel& model) {
+  std::size_t size = bwr::parameters;
+  if (!has_reduced_range(model.eos)) {
+    model.fitted = table.names("parameters", parameter_keys(model.eos));
+    size = model.fitted.size();
+  }
+  model.covariance_factor = read_triangle(table, size);
   table.refuse_unknown();
+}
+
+ValidRange read_valid(TomlReader table, bool reduced) {
+  auto const keys = valid_keys(reduced);
+  std::array<double, 6> x;
+  std::ranges::transform(keys, x.begin(), [&](std::string_view key) { return table.number(key); });
+  table.refuse_unknown();
+  ValidRange const v{x[0], x[1], x[2], x[3], x[4], x[5]};
   require(v.rho_min <= v.rho_max && v.T_min <= v.T_max && v.e_min <= v.e_max, "valid", "a lower bound",
           "must not exceed the upper one");
   return v;
@@ -187,12 +229,13 @@ EosModel read_model(toml::table const& table, std::string const& file_name) {
   TomlReader file(table, file_name);
   if (file.text("format") != format_name)
     file.refuse(*table.get("format"), "format", fmt::format("must be \"{}\"", format_name));
-  EosModel model{read_eos(file, table), {}, {}, {}, {}};
-  if (std::holds_alternative<LjBwr>(model.eos)) {
+  EosModel model{read_eos(file, table), {}, {}, {}, {}, {}};
+  bool const reduced = has_reduced_range(model.eos);
+  if (reduced || !parameter_keys(model.eos).empty()) {
     if (file.has("covariance"))
-      model.covariance_factor = read_covariance(file.table("covariance"));
+      read_covariance(file.table("covariance"), model);
     if (file.has("valid"))
-      model.valid = read_valid(file.table("valid"));
+      model.valid = read_valid(file.table("valid"), reduced);
   }
   if (file.has("data_hash"))
     model.data_hash = file.text("data_hash");
@@ -212,7 +255,8 @@ EosModel model_of(LjBwrFit const& fit, std::optional<LjUnits> units, std::string
           .covariance_factor = fit.covariance_factor,
           .valid = ValidRange{box.rho_min, box.rho_max, box.T_min, box.T_max, fit.e_min, fit.e_max},
           .data_hash = std::move(data_hash),
-          .provenance = std::move(provenance)};
+          .provenance = std::move(provenance),
+          .fitted = {}};
 }
 
 std::string to_toml(EosModel const& model) {
@@ -221,9 +265,9 @@ std::string to_toml(EosModel const& model) {
     text += "data_hash = " + quoted(model.data_hash) + "\n";
   text += std::visit([](auto const& eos) { return body(eos); }, model.eos);
   if (model.valid)
-    text += valid_text(*model.valid);
+    text += valid_text(*model.valid, has_reduced_range(model.eos));
   if (model.covariance_factor)
-    text += covariance_text(*model.covariance_factor);
+    text += covariance_text(*model.covariance_factor, model.fitted);
   if (!model.provenance.empty())
     text += "\n[provenance]\n";
   for (auto const& [key, value] : model.provenance)
@@ -245,7 +289,7 @@ EosModel parse_model(std::string_view text, std::string const& file_name) {
 EosModel load_eos(std::string const& name_or_file,
                   std::function<std::string(std::string const&)> const& read_text) {
   if (std::ranges::find(materials(), name_or_file, &Material::name) != materials().end())
-    return {material(name_or_file).eos, {}, {}, {}, {}};
+    return {material(name_or_file).eos, {}, {}, {}, {}, {}};
   if (!name_or_file.ends_with(".toml"))
     throw InputError(fmt::format("model '{}': must be a model file (*.toml) or a built-in material: {}",
                                  name_or_file, material_names()));

@@ -10,7 +10,7 @@
 namespace mesobridge::fitting {
 
 /// Where the data of a fit lie: the model interpolates inside, extrapolates outside. In Lennard-Jones units
-/// per atom for `lj-bwr`.
+/// per atom for `lj-bwr`, in SI per unit mass for the others.
 struct ValidRange {
   double rho_min, rho_max, T_min, T_max, e_min, e_max;
   friend bool operator==(ValidRange const&, ValidRange const&) = default;
@@ -19,11 +19,12 @@ struct ValidRange {
 /// An equation of state as it stands in a file.
 struct EosModel {
   AnyEos eos;
-  /// Lower triangular L of the covariance L L^T of x1 ... x32 (lj-bwr only).
+  /// Lower triangular L of the covariance L L^T of x1 ... x32 (lj-bwr), or of `fitted` (the others).
   std::optional<Eigen::MatrixXd> covariance_factor;
   std::optional<ValidRange> valid;
   std::string data_hash;                         ///< of the data that were fitted; empty if none
   std::map<std::string, std::string> provenance; ///< whatever the caller wants to remember
+  std::vector<std::string> fitted; ///< keys of the parameters that a fit left free; none for lj-bwr
 };
 
 /// A fit in the given units (none: Lennard-Jones units), ready to be written.

@@ -50,6 +50,23 @@ std::string TomlReader::text(std::string_view key) {
   return *found.value<std::string>();
 }
 
+std::vector<std::string> TomlReader::names(std::string_view key, std::vector<std::string> const& allowed) {
+  auto const what = fmt::format("must be an array of different names out of: {}", fmt::join(allowed, ", "));
+  auto const& found = node(key, what);
+  auto const* const array = found.as_array();
+  if (!array)
+    refuse(found, key, what);
+  std::vector<std::string> names;
+  for (auto const& entry : *array) {
+    auto const name = entry.value<std::string>();
+    if (!name || std::ranges::find(allowed, *name) == allowed.end() ||
+        std::ranges::find(names, *name) != names.end())
+      refuse(entry, key, what);
+    names.push_back(*name);
+  }
+  return names;
+}
+
 TomlReader TomlReader::table(std::string_view key) {
   auto const& found = node(key, "must be a table");
   if (!found.is_table())

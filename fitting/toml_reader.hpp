@@ -18,6 +18,8 @@ class TomlReader {
   /// Exactly `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count);
   std::string text(std::string_view key);
+  /// Different texts, each one of those allowed.
+  std::vector<std::string> names(std::string_view key, std::vector<std::string> const& allowed);
   TomlReader table(std::string_view key);
   /// Every key of a table of strings.
   std::vector<std::pair<std::string, std::string>> texts();

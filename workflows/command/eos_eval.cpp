@@ -37,14 +37,15 @@ fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
       any);
 }
 
-/// The range of a model's data is in Lennard-Jones units, the state in the model's own.
 bool outside_its_data(fitting::EosModel const& model, double rho, double T) {
-  auto const* const lj = std::get_if<fitting::LjBwr>(&model.eos);
-  if (!model.valid || !lj)
+  if (!model.valid)
     return false;
-  double const rho_reduced = rho / lj->scale().density, T_reduced = T / lj->scale().temperature;
-  return rho_reduced < model.valid->rho_min || rho_reduced > model.valid->rho_max ||
-         T_reduced < model.valid->T_min || T_reduced > model.valid->T_max;
+  // The range of a Lennard-Jones model's data is reduced, the state in the model's own units.
+  auto const* const lj = std::get_if<fitting::LjBwr>(&model.eos);
+  double const rho_range = lj ? rho / lj->scale().density : rho,
+               T_range = lj ? T / lj->scale().temperature : T;
+  return rho_range < model.valid->rho_min || rho_range > model.valid->rho_max ||
+         T_range < model.valid->T_min || T_range > model.valid->T_max;
 }
 
 Result eval(Options const& options, Context const& context) {
