@@ -144,4 +144,12 @@ Eigen::VectorXd EosProblem::standard_errors(std::size_t observation) const {
   return noise_[observation].diagonal().cwiseSqrt();
 }
 
+double predicted(EosFamily const& family, Observation const& observation, Quantity quantity,
+                 Eigen::VectorXd const& values) {
+  return with_linear(family.build(values), [&](auto const& model) {
+    double const offset = offset_of(values);
+    return quantity_of(model, reach(model, observation, offset), quantity, offset);
+  });
+}
+
 } // namespace mesobridge::fitting

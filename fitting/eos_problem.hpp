@@ -33,4 +33,8 @@ class EosProblem {
   std::vector<Eigen::MatrixXd> whitening_; ///< inverse of its Cholesky factor
 };
 
+/// One quantity where an observation leads to in the model with these parameters.
+double predicted(EosFamily const& family, Observation const& observation, Quantity quantity,
+                 Eigen::VectorXd const& values);
+
 } // namespace mesobridge::fitting

@@ -135,9 +135,11 @@ EosModel EosFit::model(std::string data_hash, std::map<std::string, std::string>
           .fitted = std::move(fitted)};
 }
 
-cg::Estimate EosFit::estimate(std::function<double(AnyEos const&)> const& function) const {
-  return {function(eos),
-          outcome.se_of([&](Eigen::VectorXd const& values) { return function(family.build(values)); }), 0};
+cg::Estimate EosFit::estimate(Observation const& observation, Quantity quantity) const {
+  auto const value = [&](Eigen::VectorXd const& values) {
+    return predicted(family, observation, quantity, values);
+  };
+  return {value(outcome.values), outcome.se_of(value), 0};
 }
 
 EosFit fit_eos(EosFamily family, std::vector<Observation> data, EosFitOptions const& options) {

@@ -64,8 +64,9 @@ struct EosFit {
 
   /// The model ready to be written.
   EosModel model(std::string data_hash, std::map<std::string, std::string> provenance) const;
-  /// Value and standard error of anything that a model of the family says.
-  cg::Estimate estimate(std::function<double(AnyEos const&)> const& function) const;
+  /// What the fitted model says would be measured of a quantity, with the standard error that the fit leaves.
+  /// Throws PhysicsError when the observation is out of the model's reach.
+  cg::Estimate estimate(Observation const& observation, Quantity quantity) const;
 };
 
 EosFamily mie_gruneisen_family(std::span<Observation const> data);
