@@ -38,7 +38,7 @@ Eigen::MatrixXd whitening_of(Eigen::MatrixXd const& noise) {
   return L.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(L.rows(), L.cols()));
 }
 
-constexpr int densities_checked = 9;
+constexpr int densities_checked = 33;
 
 } // namespace
 

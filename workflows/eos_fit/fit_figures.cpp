@@ -111,9 +111,18 @@ std::vector<Series> fitted_curve(EosFit const& fit, std::vector<FittedObservatio
   return {band, line};
 }
 
+/// A single state makes no plot: the table says it.
+bool several_positions(Curves const& curves) {
+  std::set<double> positions;
+  for (auto const& [key, members] : curves)
+    for (auto const* const fitted : members)
+      positions.insert(position(*fitted));
+  return positions.size() > 1;
+}
+
 Plot plot_of(EosFit const& fit, DataPath path, Quantity quantity, Curves const& curves) {
   constexpr std::string_view names[] = {"states", "Hugoniot", "isentrope", "Chapman-Jouguet state"};
-  constexpr std::size_t most_in_legend = 8;
+  constexpr std::size_t few_in_legend = 3, most_in_legend = 8;
   auto const [label, unit] = drawn(quantity);
   auto const x = drawn(abscissa(path));
   Plot plot{.name = fmt::format("fit{}{}", static_cast<int>(path), static_cast<int>(quantity)),
@@ -124,7 +133,9 @@ Plot plot_of(EosFit const& fit, DataPath path, Quantity quantity, Curves const& 
             .height = 560};
   auto& values = plot.panels[0];
   auto& deviations = plot.panels[1];
-  values.legend = curves.size() > most_in_legend ? Legend::none : Legend::outside;
+  values.legend = curves.size() > most_in_legend  ? Legend::none
+                  : curves.size() > few_in_legend ? Legend::outside
+                                                  : Legend::top_left;
   deviations.legend = Legend::none;
   deviations.level_lines = {-2, 0, 2};
   int colour = 0;
@@ -157,8 +168,8 @@ std::vector<Plot> eos_fit_figures(EosFit const& fit) {
       kinds.emplace(fitted.observation.path, datum.quantity);
   std::vector<Plot> plots;
   for (auto const& [path, quantity] : kinds)
-    if (path != DataPath::cj) // a single state: the table says it
-      plots.push_back(plot_of(fit, path, quantity, curves_of(fit, path, quantity)));
+    if (auto const curves = curves_of(fit, path, quantity); path != DataPath::cj && several_positions(curves))
+      plots.push_back(plot_of(fit, path, quantity, curves));
   return plots;
 }
 

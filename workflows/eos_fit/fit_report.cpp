@@ -39,13 +39,11 @@ std::vector<VerdictLine> verdicts(EosFit const& fit) {
 
 Table parameter_table(EosFit const& fit) {
   auto const& outcome = fit.outcome;
-  Table table{.header = {"parameter", "value", "unit", "bounds", "correlation with others up to", "state"},
+  Table table{.header = {"parameter", "value", "unit", "bounds", "state"},
               .rows = {},
               .caption = "Standard errors are those of the linearised fit at its best."};
   if (fit.bootstrap)
     table.header.insert(table.header.begin() + 2, {"bootstrap se", "bootstrap 95 %"});
-  Eigen::MatrixXd others = outcome.correlation();
-  others.diagonal().setZero();
   for (Eigen::Index i = 0; i < outcome.values.size(); ++i) {
     auto const& parameter = outcome.parameters[static_cast<std::size_t>(i)];
     auto const at = std::ranges::find(outcome.free, i);
@@ -62,7 +60,6 @@ Table parameter_table(EosFit const& fit) {
         row.end(),
         {parameter.unit,
          free ? fmt::format("{} … {}", number_text(parameter.lower), number_text(parameter.upper)) : "",
-         free ? fmt::format("{:.3f}", others.row(k).cwiseAbs().maxCoeff()) : "",
          !free                    ? "fixed"
          : held                   ? "on its bound"
          : !outcome.determined(i) ? "not determined"
@@ -130,12 +127,13 @@ std::string eos_fit_report(EosFit const& fit, std::vector<std::string> const& no
                            Provenance const& provenance) {
   Report const report{
       .title = fmt::format("Fit of the equation of state {}", fit.family.name),
-      .lead =
-          fmt::format("{} parameters fitted to {} data of {} observations: chi² = {:.4g} for {} degrees of "
-                      "freedom. The model must be stable for rho = {:g} … {:g} kg/m³, T = {:g} … {:g} K.",
-                      fit.outcome.free.size(), number_of_data(fit), fit.observations.size(),
-                      fit.outcome.chi_2(), fit.outcome.degrees_of_freedom(), fit.region.rho_min,
-                      fit.region.rho_max, fit.region.T_min, fit.region.T_max),
+      .lead = fmt::format(
+          "{} parameters fitted to {} data of {} observations: chi² = {:.4g} for {} degrees of "
+          "freedom. The model had to be stable for rho = {:g} … {:g} kg/m³, T = {:g} … {:g} K, and at "
+          "all states of shocks.",
+          fit.outcome.free.size(), number_of_data(fit), fit.observations.size(), fit.outcome.chi_2(),
+          fit.outcome.degrees_of_freedom(), fit.region.rho_min, fit.region.rho_max, fit.region.T_min,
+          fit.region.T_max),
       .verdicts = verdicts(fit),
       .sections = {parameter_section(fit), data_section(fit, notes)},
       .provenance = provenance};
