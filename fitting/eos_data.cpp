@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
+#include <gsl/gsl_statistics_double.h>
 
 namespace mesobridge::fitting {
 namespace {
@@ -68,6 +69,16 @@ void check_given(Observation const& observation) {
   }
 }
 
+/// Standard deviation of all measured values of a quantity; 0 if there is only one.
+double spread(std::vector<Observation> const& data, Quantity quantity) {
+  std::vector<double> values;
+  for (auto const& observation : data)
+    for (auto const& datum : observation.measured)
+      if (datum.quantity == quantity)
+        values.push_back(datum.value);
+  return values.size() < 2 ? 0 : gsl_stats_sd(values.data(), 1, values.size());
+}
+
 } // namespace
 
 std::string_view symbol(Quantity quantity) {
@@ -90,6 +101,18 @@ std::string_view symbol(Quantity quantity) {
     return "v_S";
   }
   throw std::logic_error("a quantity without symbol");
+}
+
+void add_systematic_errors(std::vector<Observation>& data, double fraction) {
+  require(fraction >= 0 && fraction < 1, "systematic relative error", fraction, "must be in [0, 1)");
+  double const of_P = spread(data, Quantity::P), of_e = spread(data, Quantity::e);
+  for (auto& observation : data)
+    for (auto& datum : observation.measured) {
+      double const size = datum.quantity == Quantity::P   ? std::max(std::abs(datum.value), of_P)
+                          : datum.quantity == Quantity::e ? of_e
+                                                          : std::abs(datum.value);
+      datum.systematic = fraction * size;
+    }
 }
 
 void check(Observation const& observation) {

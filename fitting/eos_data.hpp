@@ -12,10 +12,12 @@ enum class Quantity { rho, T, e, P, c_v, sound_speed, v_P, v_S };
 /// "rho", "T" ... as in the headers of data files.
 std::string_view symbol(Quantity quantity);
 
-/// A number with its standard error (0: exact).
+/// A number with its standard error (0: exact), to which a systematic one, not correlated with others', adds
+/// in quadrature.
 struct Datum {
   Quantity quantity;
   double value, se = 0;
+  double systematic = 0;
 };
 
 /// The state from which a shock or an isentrope starts. Exactly one of T, e, P completes rho to a state of
@@ -43,6 +45,11 @@ struct Observation {
   double P_e_correlation = 0;      ///< of the errors of P and e
   std::string origin;              ///< "tin.csv:12", for messages
 };
+
+/// Gives all measured quantities systematic errors: `fraction` of each value, of a pressure at least of the
+/// spread of all pressures, of an energy, whose zero is arbitrary, of the spread of all energies. Throws
+/// InputError unless 0 <= fraction < 1.
+void add_systematic_errors(std::vector<Observation>& data, double fraction);
 
 /// Throws InputError that names the origin unless the observation is complete and its numbers are possible.
 void check(Observation const& observation);

@@ -60,8 +60,9 @@ Eigen::MatrixXd EosProblem::measurement_noise(Observation const& observation) co
       bool const P_and_e = (measured[i].quantity == Quantity::P && measured[k].quantity == Quantity::e) ||
                            (measured[i].quantity == Quantity::e && measured[k].quantity == Quantity::P);
       double const correlation = i == k ? 1 : P_and_e ? observation.P_e_correlation : 0;
+      double const systematic = i == k ? measured[i].systematic * measured[i].systematic : 0;
       noise(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          correlation * measured[i].se * measured[k].se;
+          correlation * measured[i].se * measured[k].se + systematic;
     }
   return noise;
 }

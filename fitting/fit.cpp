@@ -21,20 +21,42 @@ std::vector<Eigen::Index> inside_bounds(Eigen::VectorXd const& u) {
   return inside;
 }
 
+/// From a feasible point.
+Eigen::VectorXd polished(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
+  auto const data = coordinates.residuals(u).value().size();
+  require(data >= u.size(), "number of data", data,
+          fmt::format("must be at least that of the free parameters, {}", u.size()));
+  return polish(coordinates, u, inside_bounds(u));
+}
+
+double chi_2_at(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
+  return coordinates.residuals(u).value().squaredNorm();
+}
+
+/// The best end of several independent searches, each polished: one alone may contract about a side valley.
+Eigen::VectorXd search_from_anywhere(FitCoordinates const& coordinates, FitOptions const& options) {
+  constexpr int searches = 8;
+  Eigen::VectorXd best;
+  for (int k = 0; k < searches; ++k) {
+    auto const u =
+        polished(coordinates, search_globally(coordinates, std::max(1, options.global_evaluations / searches),
+                                              options.seed + static_cast<std::uint64_t>(k)));
+    if (best.size() == 0 || chi_2_at(coordinates, u) < chi_2_at(coordinates, best))
+      best = u;
+  }
+  return best;
+}
+
 Eigen::VectorXd search(FitCoordinates const& coordinates, FitOptions const& options) {
-  Eigen::VectorXd u = options.global_evaluations > 0
-                          ? search_globally(coordinates, options.global_evaluations, options.seed)
-                          : coordinates.start();
+  bool const global = options.global_evaluations > 0;
+  Eigen::VectorXd u = global ? search_from_anywhere(coordinates, options) : coordinates.start();
   auto const residuals = coordinates.feasible_residuals(u);
   if (!residuals)
     throw PhysicsError(
         "at the start values the model does not reach all data, or is not physical: give others "
         "or search globally");
-  require(residuals->size() >= u.size(), "number of data", residuals->size(),
-          fmt::format("must be at least that of the free parameters, {}", u.size()));
-  u = polish(coordinates, u, inside_bounds(u));
-  u = descend_constrained(coordinates, u);
-  return polish(coordinates, u, inside_bounds(u));
+  u = descend_constrained(coordinates, polished(coordinates, u));
+  return polished(coordinates, u);
 }
 
 /// Principal axes of the Gauss-Newton Hessian J^T J by singular values of J: squaring would lose half the

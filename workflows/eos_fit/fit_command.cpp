@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> fixed, bounds, start, free, relative_errors;
   std::string from, m0, region_rho, region_T;
   int bootstrap = 0;
+  double error_floor = 0;
   bool local = false;
 };
 
@@ -108,6 +109,7 @@ EosData read_all(Options const& options) {
     std::ranges::move(data.observations, std::back_inserter(all.observations));
     std::ranges::move(data.notes, std::back_inserter(all.notes));
   }
+  fitting::add_systematic_errors(all.observations, options.error_floor);
   return all;
 }
 
@@ -184,6 +186,10 @@ void declare_options(CLI::App& app, Options& options) {
                  "Densities [kg/m^3] where the model must be stable (default: those of the data)")
       ->type_name("LOW:HIGH");
   app.add_option("--region-T", options.region_T, "Temperatures [K] for it")->type_name("LOW:HIGH");
+  app.add_option(
+      "--error-floor", options.error_floor,
+      "Systematic relative error of the data and the model's form, added in quadrature (of pressures at "
+      "least of their spread, of energies of theirs)");
   app.add_option("--bootstrap", options.bootstrap, "Refit that many times to data drawn anew from the fit");
   app.add_flag("--local", options.local, "Only descend from the start values, without a global search");
 }

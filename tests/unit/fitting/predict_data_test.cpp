@@ -109,6 +109,22 @@ TEST(PredictData, RefusesWhatTheModelDoesNotReach) {
   EXPECT_THROW(temperature_from_pressure(tin, -1e11, 7290), PhysicsError);
 }
 
+TEST(PredictData, SystematicErrorsAreFractionsOfTheValuesOrTheirSpread) {
+  std::vector<Observation> data(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    double const x = static_cast<double>(i);
+    data[i].measured = {{Quantity::P, 1e9 * x, 1}, {Quantity::e, 7e6 + 1e5 * x, 1}, {Quantity::v_S, 3000, 1}};
+  }
+  add_systematic_errors(data, 0.1);
+  // 0, 1, 2 have the standard deviation 1.
+  EXPECT_NEAR(data[0].measured[0].systematic, 1e8, 1);
+  EXPECT_NEAR(data[2].measured[0].systematic, 2e8, 1);
+  EXPECT_NEAR(data[0].measured[1].systematic, 1e4, 1e-3);
+  EXPECT_NEAR(data[0].measured[2].systematic, 300, 1e-9);
+  EXPECT_THROW(add_systematic_errors(data, 1), InputError);
+  EXPECT_THROW(add_systematic_errors(data, NAN), InputError);
+}
+
 TEST(PredictData, IncompleteObservationsAreRefusedByTheirOrigin) {
   Datum const P{Quantity::P, 1e9, 1e7}, rho{Quantity::rho, 8000}, T{Quantity::T, 300};
   struct Case {
