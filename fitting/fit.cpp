@@ -10,23 +10,31 @@
 namespace mesobridge::fitting {
 namespace {
 
-/// A coordinate nearer than this to 0 or 1 is held by its bound.
-constexpr double on_bound = 1e-7;
-
-std::vector<Eigen::Index> inside_bounds(Eigen::VectorXd const& u) {
-  std::vector<Eigen::Index> inside;
-  for (Eigen::Index k = 0; k < u.size(); ++k)
-    if (u[k] > on_bound && u[k] < 1 - on_bound)
-      inside.push_back(k);
-  return inside;
-}
-
 /// From a feasible point.
 Eigen::VectorXd polished(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
   auto const data = coordinates.residuals(u).value().size();
   require(data >= u.size(), "number of data", data,
           fmt::format("must be at least that of the free parameters, {}", u.size()));
-  return polish(coordinates, u, inside_bounds(u));
+  return polish(coordinates, u, moving_coordinates(coordinates, u));
+}
+
+/// Whether the fit could still improve: the Gauss-Newton step in the coordinates that no bound holds.
+bool no_descent_left(Eigen::MatrixXd const& J, Eigen::VectorXd const& r,
+                     std::vector<Eigen::Index> const& moving) {
+  if (moving.empty())
+    return true;
+  Eigen::MatrixXd const part = J(Eigen::all, moving);
+  // Along axes without information neither residuals nor gradients change.
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(part, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(1e-7);
+  Eigen::VectorXd const step = svd.solve(r);
+  constexpr double improvement = 1e-6;
+  return (part * step).squaredNorm() < improvement * (1 + r.squaredNorm());
+}
+
+bool at_minimum(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
+  auto const r = coordinates.residuals(u).value();
+  return no_descent_left(coordinates.jacobian(u, r), r, moving_coordinates(coordinates, u));
 }
 
 double chi_2_at(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
@@ -47,7 +55,7 @@ Eigen::VectorXd search_from_anywhere(FitCoordinates const& coordinates, FitOptio
   return best;
 }
 
-Eigen::VectorXd search(FitCoordinates const& coordinates, FitOptions const& options) {
+SearchEnd search(FitProblem const& problem, FitCoordinates const& coordinates, FitOptions const& options) {
   bool const global = options.global_evaluations > 0;
   Eigen::VectorXd u = global ? search_from_anywhere(coordinates, options) : coordinates.start();
   auto const residuals = coordinates.feasible_residuals(u);
@@ -56,7 +64,10 @@ Eigen::VectorXd search(FitCoordinates const& coordinates, FitOptions const& opti
         "at the start values the model does not reach all data, or is not physical: give others "
         "or search globally");
   u = descend_constrained(coordinates, polished(coordinates, u));
-  return polished(coordinates, u);
+  u = polished(coordinates, u);
+  bool const settled = at_minimum(coordinates, u);
+  return problem.constraints && !settled ? descend_to_constraints(problem, coordinates, u)
+                                         : SearchEnd{u, settled};
 }
 
 /// Principal axes of the Gauss-Newton Hessian J^T J by singular values of J: squaring would lose half the
@@ -82,20 +93,6 @@ Eigen::MatrixXd covariance_factor(std::vector<FitAxis> const& axes, Eigen::Vecto
   Eigen::HouseholderQR<Eigen::MatrixXd> const qr(spread.transpose());
   Eigen::MatrixXd const upper = qr.matrixQR().triangularView<Eigen::Upper>();
   return upper.transpose();
-}
-
-/// Whether the fit could still improve: the Gauss-Newton step in the coordinates that no bound holds.
-bool no_descent_left(Eigen::MatrixXd const& J, Eigen::VectorXd const& r,
-                     std::vector<Eigen::Index> const& moving) {
-  if (moving.empty())
-    return true;
-  Eigen::MatrixXd const part = J(Eigen::all, moving);
-  // Along axes without information neither residuals nor gradients change.
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(part, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(1e-7);
-  Eigen::VectorXd const step = svd.solve(r);
-  constexpr double improvement = 1e-6;
-  return (part * step).squaredNorm() < improvement * (1 + r.squaredNorm());
 }
 
 bool near_constraint(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
@@ -190,7 +187,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
   require(coordinates.size() > 0, "free parameters", 0, "at least one parameter must be free");
   require(options.global_evaluations >= 0, "evaluations of the global search", options.global_evaluations,
           "must be >= 0");
-  Eigen::VectorXd const u = search(coordinates, options);
+  auto const [u, settled] = search(problem, coordinates, options);
   FitOutcome outcome{.parameters = problem.parameters,
                      .free = coordinates.free(),
                      .values = coordinates.values(u),
@@ -198,7 +195,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
                      .axes = {},
                      .residuals = coordinates.residuals(u).value(),
                      .at_bound = {}};
-  auto const moving = inside_bounds(u);
+  auto const moving = moving_coordinates(coordinates, u);
   for (Eigen::Index k = 0; k < u.size(); ++k)
     if (std::ranges::find(moving, k) == moving.end())
       outcome.at_bound.push_back(outcome.free[k]);
@@ -206,7 +203,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
   outcome.axes = axes_of(J);
   outcome.covariance_factor = covariance_factor(outcome.axes, coordinates.slopes(u));
   outcome.constrained = near_constraint(coordinates, u);
-  outcome.converged = no_descent_left(J, outcome.residuals, moving);
+  outcome.converged = settled;
   outcome.evaluations = coordinates.evaluations();
   return outcome;
 }

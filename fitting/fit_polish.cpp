@@ -52,6 +52,19 @@ int jacobian(gsl_vector const* x, void* data, gsl_matrix* J) {
 
 } // namespace
 
+std::vector<Eigen::Index> moving_coordinates(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
+  constexpr double on_bound = 1e-7;
+  auto const r = coordinates.residuals(u).value();
+  Eigen::VectorXd const gradient = coordinates.jacobian(u, r).transpose() * r;
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    bool const held = (u[k] <= on_bound && gradient[k] > 0) || (u[k] >= 1 - on_bound && gradient[k] < 0);
+    if (!held)
+      moving.push_back(k);
+  }
+  return moving;
+}
+
 Eigen::VectorXd polish(FitCoordinates const& coordinates, Eigen::VectorXd const& from,
                        std::vector<Eigen::Index> const& moving) {
   if (moving.empty())

@@ -17,4 +17,20 @@ Eigen::VectorXd descend_constrained(FitCoordinates const& coordinates, Eigen::Ve
 Eigen::VectorXd polish(FitCoordinates const& coordinates, Eigen::VectorXd const& from,
                        std::vector<Eigen::Index> const& moving);
 
+/// Where a search ended, and whether it came to its end.
+struct SearchEnd {
+  Eigen::VectorXd u;
+  bool settled;
+};
+
+/// The minimum on the constraints that forbid a better one: augmented Lagrangian (Powell; Hestenes), each
+/// round polished as above. The result is feasible and, but for a distance of 5e-7 from the constraints, not
+/// worse.
+SearchEnd descend_to_constraints(FitProblem const& problem, FitCoordinates const& coordinates,
+                                 Eigen::VectorXd const& from);
+
+/// The coordinates that no bound holds: those farther than 1e-7 from 0 and 1, and those on a bound from which
+/// |residuals|^2 falls inwards.
+std::vector<Eigen::Index> moving_coordinates(FitCoordinates const& coordinates, Eigen::VectorXd const& u);
+
 } // namespace mesobridge::fitting

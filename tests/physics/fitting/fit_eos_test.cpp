@@ -242,6 +242,10 @@ TEST(FitEos, TheModelIsKeptPhysicalWhereItIsAsked) {
   EXPECT_GT(held.c_2_min, 0);
   EXPECT_GT(held.outcome.chi_2(), free.outcome.chi_2());
   EXPECT_TRUE(held.outcome.constrained);
+  EXPECT_TRUE(held.outcome.converged);
+  options.search.seed = 2;
+  auto const again = fit_eos(jwl_family(laboratory.data), laboratory.data, options);
+  EXPECT_NEAR(again.outcome.chi_2() / held.outcome.chi_2(), 1, 1e-6);
 }
 
 TEST(FitEos, TheEnergyZeroOfTheDataIsFound) {

@@ -147,10 +147,11 @@ TEST(Fit, AConstraintIsKeptWhereItBites) {
   // min of (a-1, b-2) H (a-1, b-2)^T on a + b = 2, H = [[10, 45], [45, 285]]: step = -H^-1 n/(n H^-1 n), n =
   // (1, 1)
   double const n_H_n = (285.0 - 2 * 45 + 10) / 825;
-  EXPECT_NEAR(found.values[0], 1 - (285.0 - 45) / 825 / n_H_n, 1e-3);
-  EXPECT_NEAR(found.values[1], 2 - (10.0 - 45) / 825 / n_H_n, 1e-3);
+  EXPECT_NEAR(found.values[0], 1 - (285.0 - 45) / 825 / n_H_n, 1e-5);
+  EXPECT_NEAR(found.values[1], 2 - (10.0 - 45) / 825 / n_H_n, 1e-5);
   EXPECT_LE(found.values[0] + found.values[1], 2);
   EXPECT_TRUE(found.constrained);
+  EXPECT_TRUE(found.converged);
 }
 
 TEST(Fit, SaysWhatTheDataDoNotDetermine) {
