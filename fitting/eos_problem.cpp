@@ -9,7 +9,7 @@ template <class F>
 auto with_linear(AnyEos const& any, F&& f) {
   return std::visit(
       [&]<class Model>(Model const& model) -> decltype(f(std::declval<MieGruneisen const&>())) {
-        if constexpr (LinearModel<Model>)
+        if constexpr (FittableModel<Model>)
           return f(model);
         else
           throw std::logic_error("a fit of a model that is not linear in T");

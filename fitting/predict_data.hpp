@@ -9,7 +9,7 @@ namespace mesobridge::fitting {
 
 /// A model whose e and P are linear in T along every isochore.
 template <class Model>
-concept LinearModel = EquationOfState<Model> && std::derived_from<Model, LinearEos<Model>>;
+concept FittableModel = EquationOfState<Model> && std::derived_from<Model, LinearEos<Model>>;
 
 /// Where an observation ends up in a model. Velocities are zero for states that no shock made.
 struct ReachedState {
@@ -21,7 +21,7 @@ struct ReachedState {
 /// linear too, so that at given density the curve is a closed form, and at given v_P, v_S or P one equation
 /// in x = 1 - rho_0/rho remains. Fits ask it millions of times; shock_relations.hpp is the thorough way to a
 /// shock: it knows which of them are stable. Energies are the model's own.
-template <LinearModel Model>
+template <FittableModel Model>
 class LinearHugoniot {
  public:
   LinearHugoniot(Model const& model, double rho_0, double e_0, double P_0)
@@ -133,7 +133,7 @@ class LinearHugoniot {
 };
 
 /// Temperature at which an isochore has the pressure P. Throws PhysicsError if none > 0.
-template <LinearModel Model>
+template <FittableModel Model>
 double temperature_from_pressure(Model const& model, double P, double rho) {
   auto const isochore = model.isochore(rho);
   double const T = (P - isochore.pressure(0.0)) / isochore.pressure_slope(0.0);
@@ -144,7 +144,7 @@ double temperature_from_pressure(Model const& model, double P, double rho) {
 }
 
 /// `energy_offset`: an energy of the data minus that of the model at the same state.
-template <LinearModel Model>
+template <FittableModel Model>
 ReachedState start_of(Model const& model, StartState const& start, double energy_offset) {
   if (start.e && start.P)
     return {.rho = start.rho, .T = 0, .e = *start.e - energy_offset, .P = *start.P};
@@ -156,7 +156,7 @@ ReachedState start_of(Model const& model, StartState const& start, double energy
 }
 
 /// Where the observation ends up in the model. Throws PhysicsError when it is out of the model's reach.
-template <LinearModel Model>
+template <FittableModel Model>
 ReachedState reach(Model const& model, Observation const& observation, double energy_offset) {
   auto const given = [&](Quantity quantity) -> double const* {
     for (auto const& datum : observation.given)
@@ -192,7 +192,7 @@ ReachedState reach(Model const& model, Observation const& observation, double en
 }
 
 /// What would be measured there.
-template <LinearModel Model>
+template <FittableModel Model>
 double quantity_of(Model const& model, ReachedState const& state, Quantity quantity, double energy_offset) {
   switch (quantity) {
   case Quantity::rho:

@@ -53,7 +53,7 @@ void expect_honest(Coverage const& coverage, int repeats) {
 
 /// Repeats the experiment `measure(laboratory)` and the fit: a local one begins at the truth, a global one
 /// knows only the default bounds.
-template <LinearModel Model, class Measure>
+template <FittableModel Model, class Measure>
 Coverage covered(Model const& truth, EosFamily (*family)(std::span<Observation const>), EosFitOptions options,
                  int repeats, Measure&& measure) {
   Coverage coverage;
@@ -164,7 +164,7 @@ TEST(FitEos, ErrorsOfThePistonVelocityCountBySlope) {
 }
 
 /// The fit from the default bounds alone finds the parameters of data of 0.1 %.
-template <LinearModel Model>
+template <FittableModel Model>
 void expect_found(Model const& truth, EosFamily (*family)(std::span<Observation const>),
                   void (*measure)(Laboratory<Model>&), std::map<std::string, double> fixed) {
   Laboratory<Model> laboratory(truth, 5);

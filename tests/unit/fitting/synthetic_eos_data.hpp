@@ -7,7 +7,7 @@ namespace mesobridge::fitting::test {
 /// Synthetic measurements of a model: every measured quantity, and every given one with a standard error,
 /// gets normal noise. The stated errors of measured ones are 1 % of them; the noise is that, unless it is
 /// told otherwise.
-template <LinearModel Model>
+template <FittableModel Model>
 class Laboratory {
  public:
   Laboratory(Model const& truth, std::uint64_t seed) : truth_(truth), generator_(seed) {}
