@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/ideal_gas.hpp"
+#include "fitting/eos/linear_isochore.hpp"
 #include "sdpd/caloric.hpp"
 #include "sdpd/units.hpp"
 #include <limits>
@@ -8,7 +9,7 @@ namespace mesobridge::sdpd {
 
 /// True for models whose heat capacity is the same everywhere: their caloric expansions are exact.
 template <class Eos>
-inline constexpr bool has_constant_heat_capacity = std::is_same_v<Eos, fitting::IdealGas>;
+inline constexpr bool has_constant_heat_capacity = fitting::LinearModel<Eos>;
 
 /// The equation of state of one particle of size K in reduced units: S(eps, rho) = f m_K s(eps/(f m_K), rho).
 /// The share f is (K-1)/K for the ideal gas, whose centre of mass carries the rest of the K atoms' energy and
