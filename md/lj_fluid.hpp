@@ -31,7 +31,7 @@ struct LjFluidSettings {
   double friction_time = 0.5;             ///< relaxation time of the velocities times sqrt(T*)
   std::int64_t melt_steps = 300;          ///< at a temperature at which the lattice cannot stand
   std::int64_t equilibration_steps = 700; ///< at the set temperature
-  std::int64_t sampling_steps = 8000;
+  std::int64_t sampling_steps = 12000;
   std::int64_t sample_every = 10; ///< steps
   std::uint64_t seed = 1;
   std::filesystem::path log_file = "lammps.log";

@@ -9,6 +9,10 @@ namespace mesobridge::workflows {
 enum class GridQuantity { U, P };
 Plot isotherms(ChainResults const& results, GridQuantity quantity);
 
+/// The three published equations of the Lennard-Jones fluid, the fit and MD on three isotherms, as
+/// differences to Kolafa and Nezbeda's.
+Plot models_and_md(ChainResults const& results, GridQuantity quantity);
+
 /// Predictions of every state by a fit without it, in standard errors.
 Plot held_out(ChainResults const& results);
 

@@ -184,6 +184,11 @@ Section fit_section(ChainResults const& results) {
                                                      "set (dashes)."),
        figure({isotherms(results, GridQuantity::U)},
               "Energy per atom. Differences are relative to max(|U*|, T*), since U* passes through zero."),
+       figure({models_and_md(results, GridQuantity::P), models_and_md(results, GridQuantity::U)},
+              "Published equations against each other and against this MD. The 1993 set was made from "
+              "simulations up to T* = 6 and fails above; Thol et al. (J. Phys. Chem. Ref. Data 45 (2016) "
+              "023101) "
+              "hold to T* = 9."),
        figure({held_out(results)},
               fmt::format("Leave-one-out predictions: {:.0f} % of the states lie within 3 combined "
                           "standard errors in both U and P; rms deviation {:.2f}.",

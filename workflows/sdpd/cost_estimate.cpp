@@ -4,11 +4,11 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr double ns_per_pair = 45; // ideal gas; the LJ fluid takes a fifth more
-constexpr double bytes_per_particle =
-    450; // state, forces, working memory; 2.7 kB in all were measured at h_factor 2.5
-constexpr double candidates_per_pair = 1.4; // the lists reach beyond the range by their skin
-constexpr double bytes_per_candidate = 48;
+constexpr double ns_per_pair = 50; // ideal gas, SSA; the LJ fluid takes a fifth more
+// 0.71 kB a particle in all were measured at h_factor 2.5 (64000 and 216000 particles).
+constexpr double bytes_per_particle = 330;  // state, forces, working memory
+constexpr double candidates_per_pair = 1.5; // the lists reach beyond the range by their skin
+constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in range
 
 } // namespace
 
