@@ -7,7 +7,9 @@ namespace mesobridge::sdpd {
 namespace {
 
 /// Cells somewhat longer than the range hold more pairs in a block and so fill the lanes of a sweep better.
-constexpr double best_edge = 1.25; // in ranges; found by timing 1 ... 1.6
+/// At h = 2.5 and 1.02 ranges 71 % of the lanes work, at 1.31 ranges 83 %; much longer cells make the search
+/// for candidates dear.
+constexpr double best_edge = 1.25; // in ranges
 
 /// An even number where there are four or more, since two colours then serve each direction.
 Index cells_along(double edge, double range) {

@@ -29,9 +29,9 @@ std::vector<std::string> kernel_names();
 /// The kernel of that name with support h, multiplied by `scale`. Throws InputError that lists the names.
 AnyKernel make_kernel(std::string_view name, double h, double scale = 1);
 
-/// Dehnen and Aly's self-term correction for particles in a glass, by their Eqs. (18) and (19): epsilon =
-/// epsilon_100 (N/100)^-a for `neighbours` N within the support (their N_H). Throws InputError for kernels
-/// other than Wendland's.
+/// Dehnen and Aly's self-term correction for particles in a glass (theory sheet, section 8.2): epsilon =
+/// epsilon_100 (N/100)^-a for `neighbours` N within the support. A hot fluid is no glass: its constants have
+/// to be found on the fluid itself. Throws InputError for kernels other than Wendland's.
 DensityCorrection glass_correction(std::string_view kernel, double neighbours);
 
 } // namespace mesobridge::sdpd
