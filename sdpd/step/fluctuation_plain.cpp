@@ -1,5 +1,6 @@
 #include "sdpd/step/exact_pair.hpp"
 #include "sdpd/step/fluctuation.hpp"
+#include <stdexcept>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -32,6 +33,8 @@ void sweep_block(System& system, Kernel const& kernel, PairScheme scheme, std::s
 } // namespace
 
 void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second) {
+  if (scheme == PairScheme::ser)
+    throw std::logic_error("SER does not go pair after pair");
   std::visit(
       [&](auto const& kernel) {
         sweep_all_blocks(system, dt, second,
