@@ -90,11 +90,11 @@ Plot models_and_md(ChainResults const& results, GridQuantity quantity) {
                 .level_lines = {0}};
     panel.series.push_back(differences.md(label("MD"), 0));
     panel.series.push_back(differences.curve(results.fit.eos, label("fit"), SeriesStyle::lines, 0));
-    panel.series.push_back(differences.curve(fitting::material("lj").eos, label("BWR 1993 (to T* = 6)"),
-                                             SeriesStyle::dashes, 1));
+    panel.series.push_back(
+        differences.curve(fitting::material("lj").eos, label("BWR 1993"), SeriesStyle::dashes, 1));
     auto const& thol = fitting::material("lj-thol").eos;
     if (T <= T_max(thol))
-      panel.series.push_back(differences.curve(thol, label("Thol 2016 (to T* = 9)"), SeriesStyle::lines, 2));
+      panel.series.push_back(differences.curve(thol, label("Thol 2016"), SeriesStyle::lines, 2));
     plot.panels.push_back(std::move(panel));
   }
   return plot;
