@@ -64,7 +64,7 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
       .thermodynamics = make_thermodynamics(s.eos, units),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
-      .friction = SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()),
+      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), 1 / s.K},
       .neighbours = Neighbours(box, h, skin_of(s), s.threads),
       .particles = {},
       .boltzmann = 1 / s.K,
@@ -103,7 +103,7 @@ void set_energies_from_temperatures(System& system) {
 std::vector<double> heat_capacities(System const& system) {
   std::vector<double> C(system.size());
   for (std::size_t i = 0; i < C.size(); ++i)
-    C[i] = system.thermodynamics->heat_capacity(system.particles.T[i], system.particles.rho[i]);
+    C[i] = system.thermodynamics->heat_capacity(system.particles, static_cast<Index>(i));
   return C;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-#include "sdpd/kernel/list.hpp"
 #include "sdpd/neighbours.hpp"
-#include "sdpd/pair/sdpd_friction.hpp"
+#include "sdpd/pair/list.hpp"
 #include "sdpd/pair_scheme.hpp"
 #include "sdpd/thermodynamics.hpp"
 #include <algorithm>
@@ -15,7 +14,7 @@ struct System {
   std::unique_ptr<Thermodynamics const> thermodynamics;
   AnyKernel kernel;
   double self_density; ///< what a particle adds to its own density
-  SdpdFriction friction;
+  AnyPairLaw law;      ///< friction and noise
   Neighbours neighbours;
   Particles particles;
   double boltzmann;

@@ -32,18 +32,17 @@ class ThermodynamicsOf final : public Thermodynamics {
     for_each(particles, range, failure,
              [&](std::size_t i, auto const& at) { particles.eps[i] = at.energy(particles.T[i]); });
   }
-  double temperature(double eps, double rho, double T_guess) const override {
-    return eos_.at(rho).temperature_from_energy(eps, T_guess);
+  ThermalState state(Particles const& particles, Index i, double eps) const override {
+    auto const at = eos_.at(particles.rho[i]);
+    double const T = at.temperature_from_energy(eps, particles.T[i]);
+    return {T, at.entropy(T), 1 / at.heat_capacity(T)};
   }
-  double heat_capacity(double T, double rho) const override { return eos_.at(rho).heat_capacity(T); }
-  Caloric caloric(double eps, double rho, double T_guess) const override {
-    auto const at = eos_.at(rho);
+  Caloric caloric(Particles const& particles, Index i, double eps, double T_guess) const override {
+    auto const at = eos_.at(particles.rho[i]);
     return at.caloric(at.temperature_from_energy(eps, T_guess));
   }
-  ThermalState state(double eps, double rho, double T_guess) const override {
-    auto const at = eos_.at(rho);
-    double const T = at.temperature_from_energy(eps, T_guess);
-    return {T, at.entropy(T), 1 / at.heat_capacity(T)};
+  double heat_capacity(Particles const& particles, Index i) const override {
+    return eos_.at(particles.rho[i]).heat_capacity(particles.T[i]);
   }
 
  private:

@@ -34,12 +34,13 @@ class Thermodynamics {
   /// eps from the temperature and the density.
   virtual void energy_from_temperature(Particles& particles, Range range, Failure& failure) const = 0;
 
-  /// For one particle. They throw PhysicsError.
-  virtual double temperature(double eps, double rho, double T_guess) const = 0;
-  virtual double heat_capacity(double T, double rho) const = 0;
-  /// The expansion that begins at this energy.
-  virtual Caloric caloric(double eps, double rho, double T_guess) const = 0;
-  virtual ThermalState state(double eps, double rho, double T_guess) const = 0;
+  /// For particle i at the energy eps instead of its own. They throw PhysicsError.
+  virtual ThermalState state(Particles const& particles, Index i, double eps) const = 0;
+  /// The expansion that begins at this energy, whose temperature is near T_guess.
+  virtual Caloric caloric(Particles const& particles, Index i, double eps, double T_guess) const = 0;
+
+  /// Of particle i at its temperature.
+  virtual double heat_capacity(Particles const& particles, Index i) const = 0;
 };
 
 /// For particles of the size in `units`.

@@ -66,4 +66,13 @@ template <>
   return exponent * ln2_high + (2.0 * f + (2.0 * f * z * series + exponent * ln2_low));
 }
 
+/// x^s for 0 < x <= 1 and s > 0.
+[[gnu::always_inline]] inline double power(double x, double s) {
+  return std::pow(x, s);
+}
+/// The same in lanes, to single precision; anything for other x.
+[[gnu::always_inline]] inline Lanes power(Lanes const& x, double s) {
+  return to_double(exp_up_to_one(to_float(s * logarithm(x))));
+}
+
 } // namespace mesobridge::sdpd

@@ -3,14 +3,13 @@
 namespace mesobridge::sdpd {
 namespace {
 
-using Bath = PairBath<double>;
-
-Bath bath_of(Sweep const& sweep, std::array<ThermalState, 2> const& at) {
-  return {sweep.boltzmann, at[0].T, at[1].T, at[0].inverse_C, at[1].inverse_C};
-}
-
-Bath::Directions step_of(Sweep const& sweep, double chi, std::array<ThermalState, 2> const& at) {
-  return bath_of(sweep, at).step(sweep.friction.par(chi), sweep.friction.perp(chi), false, sweep.dt);
+template <class Law>
+Bath<double>::Directions step_of(Sweep<Law> const& sweep, PairWeights<double> const& weight,
+                                 std::array<ThermalState, 2> const& at) {
+  auto const& law = sweep.law;
+  auto const [a_par, a_perp] = law.coefficients(weight);
+  return law.template bath<double>({at[0].T, at[1].T, at[0].inverse_C, at[1].inverse_C})
+      .step(a_par, a_perp, false, sweep.dt);
 }
 
 } // namespace
@@ -22,21 +21,24 @@ double acceptance_uniform(NoiseSource const& source, std::uint32_t low, std::uin
   return (first_bits + word[0] / 4294967296.0) / (1u << spare_bits);
 }
 
-ExactPair::ExactPair(System const& system, FluctuatingBlock& block, LocalPair pair)
+template <class Law>
+ExactPair<Law>::ExactPair(System const& system, FluctuatingBlock& block, LocalPair pair)
     : system_(system), particles_{&block.particles()[pair.i], &block.particles()[pair.j]},
       index_{block.index(pair.i), block.index(pair.j)} {
   at_ = {state(0, 0), state(1, 0)};
 }
 
-ThermalState ExactPair::state(std::size_t k, double heat) const {
+template <class Law>
+ThermalState ExactPair<Law>::state(std::size_t k, double heat) const {
   auto const& of = system_.particles;
   Index const i = index_[k];
-  return system_.thermodynamics->state(of.eps[i] + particles_[k]->u + heat, of.rho[i], of.T[i]);
+  return system_.thermodynamics->state(of, i, of.eps[i] + particles_[k]->u + heat);
 }
 
-void ExactPair::step(PairScheme scheme, Geometry const& geometry, Noise const& noise, Sweep const& sweep,
-                     PairCounts& counts) {
-  auto const [par, perp] = step_of(sweep, geometry.chi, at_);
+template <class Law>
+void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise const& noise,
+                          Sweep<Law> const& sweep, PairCounts& counts) {
+  auto const [par, perp] = step_of(sweep, geometry.weight, at_);
   auto& [a, b] = particles_;
   Vec3 const& e = geometry.e;
   Vec3 const v = a->p - b->p;
@@ -63,21 +65,41 @@ void ExactPair::step(PairScheme scheme, Geometry const& geometry, Noise const& n
 
 /// The exponent a of theory sheet, section 3, EMS: the ratio of the densities of the step back and forth
 /// times that of the invariant measure.
-double ExactPair::log_acceptance(Geometry const& geometry, Noise const& noise, Sweep const& sweep,
-                                 Vec3 const& v, Vec3 const& dv,
-                                 std::array<ThermalState, 2> const& proposed) const {
-  auto const there = step_of(sweep, geometry.chi, at_), back = step_of(sweep, geometry.chi, proposed);
+template <class Law>
+double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep,
+                                      Vec3 const& v, Vec3 const& dv,
+                                      std::array<ThermalState, 2> const& proposed) const {
+  auto const there = step_of(sweep, geometry.weight, at_), back = step_of(sweep, geometry.weight, proposed);
   // What the noise of the step back would have to be, times B': v - A'v' without cancellation.
   Vec3 const moved = v + dv;
   Vec3 const rest = -(dv + back.perp.decay * moved);
   double const along = -(dot(geometry.e, dv) + back.par.decay * dot(geometry.e, moved));
-  double const across2 = norm2(rest) - dot(geometry.e, rest) * dot(geometry.e, rest);
-  double a = 0.5 * norm2(noise.G) - 0.5 * (along * along / back.par.variance + across2 / back.perp.variance) +
-             0.5 * std::log(there.par.variance / back.par.variance) +
-             std::log(there.perp.variance / back.perp.variance);
-  for (std::size_t k = 0; k < 2; ++k)
-    a += (proposed[k].S - at_[k].S) / sweep.boltzmann - std::log(proposed[k].T / at_[k].T);
+  double a = 0;
+  if constexpr (Law::across == Across::common) {
+    double const across2 = norm2(rest) - dot(geometry.e, rest) * dot(geometry.e, rest);
+    a = 0.5 * norm2(noise.G) - 0.5 * (along * along / back.par.variance + across2 / back.perp.variance) +
+        0.5 * std::log(there.par.variance / back.par.variance) +
+        std::log(there.perp.variance / back.perp.variance);
+  } else { // either friction may vanish alone: then nothing happens in its direction
+    double const noise_along = dot(geometry.e, noise.G);
+    if (back.par.variance > 0)
+      a += 0.5 * (noise_along * noise_along - along * along / back.par.variance +
+                  std::log(there.par.variance / back.par.variance));
+    if (back.perp.variance > 0)
+      a += 0.5 * (norm2(noise.G - noise_along * geometry.e) -
+                  norm2(rest - dot(geometry.e, rest) * geometry.e) / back.perp.variance) +
+           std::log(there.perp.variance / back.perp.variance);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    a += (proposed[k].S - at_[k].S) / system_.boltzmann;
+    if constexpr (Law::measure_over_T)
+      a -= std::log(proposed[k].T / at_[k].T);
+  }
   return a;
 }
+
+template class ExactPair<SdpdLaw>;
+template class ExactPair<DpdeLaw<Across::none>>;
+template class ExactPair<DpdeLaw<Across::own>>;
 
 } // namespace mesobridge::sdpd

@@ -4,12 +4,13 @@
 namespace mesobridge::sdpd {
 
 /// One pair's step in double precision with exact inversions of the equation of state: what the lanes leave
-/// over (steps too large for a caloric expansion), and the oracle of the rest.
+/// over (steps too large for a caloric expansion), and the oracle of the rest. For laws with energies.
+template <class Law>
 class ExactPair {
  public:
   struct Geometry {
-    Vec3 e;     ///< direction
-    double chi; ///< F/(rho_i rho_j)
+    Vec3 e; ///< direction
+    PairWeights<double> weight;
   };
   struct Noise {
     Vec3 G;
@@ -22,11 +23,11 @@ class ExactPair {
 
   /// Makes the step, or not; counts what was not. Throws PhysicsError for SSA when the step leaves the
   /// equation of state. The caloric expansions are left as they are, though they may be out of reach.
-  void step(PairScheme scheme, Geometry const& geometry, Noise const& noise, Sweep const& sweep,
+  void step(PairScheme scheme, Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep,
             PairCounts& counts);
 
  private:
-  double log_acceptance(Geometry const& geometry, Noise const& noise, Sweep const& sweep, Vec3 const& v,
+  double log_acceptance(Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep, Vec3 const& v,
                         Vec3 const& dv, std::array<ThermalState, 2> const& proposed) const;
   ThermalState state(std::size_t k, double heat) const;
 

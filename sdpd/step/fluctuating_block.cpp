@@ -3,8 +3,8 @@
 namespace mesobridge::sdpd {
 namespace {
 
-template <class Kernel>
-void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Kernel const& kernel,
+template <Across across, class Weights>
+void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Weights const& weights,
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
   for_each_group(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
     RowLanes const a = load_rows([&](std::size_t l) { return &rows[pair[l].i]; });
@@ -14,7 +14,10 @@ void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Ker
     store(to_float(x * inverse_r), &inputs.e_x[first]);
     store(to_float(y * inverse_r), &inputs.e_y[first]);
     store(to_float(z * inverse_r), &inputs.e_z[first]);
-    store(to_float(kernel.F(r, inverse_r) * (a[3] * b[3])), &inputs.chi[first]);
+    auto const weight = weights(r, inverse_r, a[3], b[3]);
+    store(to_float(weight.par), &inputs.weight[first]);
+    if constexpr (across == Across::own)
+      store(to_float(weight.perp), &inputs.weight_across[first]);
   });
 }
 
@@ -57,36 +60,47 @@ void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair co
 
 } // namespace
 
-void FluctuatingBlock::copy_in(System const& system, std::size_t block) {
+void BlockGeometry::copy_geometry(System const& system, std::size_t block) {
   auto const& from = system.particles;
   members_ = system.neighbours.members(block);
   size_ = sdpd::size(members_);
-  copy_rows(
-      members_, from.q, [&](Index i) { return 1 / from.rho[i]; }, 0.5 * system.neighbours.range(), rows_);
-  particles_.resize(size_ + 2), ids_.resize(size_);
-  for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) {
+  double const in_range = 0.5 * system.neighbours.range();
+  if (from.rho.empty())
+    copy_rows(
+        members_, from.q, [](Index) { return 0.0; }, in_range, rows_);
+  else
+    copy_rows(
+        members_, from.q, [&](Index i) { return 1 / from.rho[i]; }, in_range, rows_);
+  ids_.resize(size_);
+  for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) { ids_[local] = from.id[i]; });
+}
+
+void FluctuatingBlock::copy_in(System const& system, std::size_t block) {
+  auto const& from = system.particles;
+  copy_geometry(system, block);
+  particles_.resize(size() + 2);
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
     particles_[local] = {from.p[i], system.energy_gain[i], from.caloric[i]};
-    ids_[local] = from.id[i];
   });
   FluctuatingParticle const phantom{{}, 0, {.T_0 = 1, .inverse_C_0 = 1, .curvature = 0, .limit = 1}};
-  particles_[size_] = particles_[size_ + 1] = phantom;
+  particles_[size()] = particles_[size() + 1] = phantom;
 }
 
 void FluctuatingBlock::copy_out(System& system) const {
   auto& to = system.particles;
-  for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) {
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
     to.p[i] = particles_[local].p;
     system.energy_gain[i] = particles_[local].u;
   });
 }
 
 bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure) {
-  Index const i = global_index(members_, local);
+  Index const i = index(local);
   auto& [p, u, caloric] = particles_[local];
   double& eps = system.particles.eps[i];
   eps += u, u = 0;
   try {
-    caloric = system.thermodynamics->caloric(eps, system.particles.rho[i], caloric.T_0);
+    caloric = system.thermodynamics->caloric(system.particles, i, eps, caloric.T_0);
     system.particles.caloric[i] = caloric;
     return true;
   } catch (std::exception const& error) {
@@ -98,12 +112,41 @@ bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure
   }
 }
 
-void prepare_pairs(FluctuatingBlock const& block, AnyKernel const& kernel, std::span<LocalPair const> pairs,
-                   NoiseSource const& source, PairInputs& inputs) {
-  inputs.resize(pairs.size() + noise_lanes);
-  std::visit([&](auto const& of) { prepare_directions(block.rows(), block.size(), of, pairs, inputs); },
-             kernel);
+void MomentumBlock::copy_in(System const& system, std::size_t block) {
+  copy_geometry(system, block);
+  momenta_.assign(size() + 2, Row{});
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
+    Vec3 const& p = system.particles.p[i];
+    momenta_[local] = Row{p.x, p.y, p.z, 0};
+  });
+}
+
+void MomentumBlock::copy_out(System& system) const {
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
+    Row const& p = momenta_[local];
+    system.particles.p[i] = {p[0], p[1], p[2]};
+  });
+}
+
+template <class Law>
+void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
+                   std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs) {
+  inputs.resize(pairs.size() + noise_lanes, Law::across);
+  with_weights(system, law, [&](auto const& weights) {
+    prepare_directions<Law::across>(block.rows(), block.size(), weights, pairs, inputs);
+  });
   prepare_noise(block.ids(), pairs, source, inputs);
 }
+
+template void prepare_pairs(System const&, SdpdLaw const&, BlockGeometry const&, std::span<LocalPair const>,
+                            NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, DpdeLaw<Across::none> const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, DpdeLaw<Across::own> const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, DpdLaw<Across::none> const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, DpdLaw<Across::own> const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
 
 } // namespace mesobridge::sdpd

@@ -14,50 +14,102 @@ struct alignas(64) FluctuatingParticle {
 };
 static_assert(sizeof(FluctuatingParticle) == sizeof(Lanes));
 
-/// What a pair's step needs and does not depend on the pairs before it: direction e = r/|r|,
-/// chi = F/(rho_i rho_j) and noise, as one array each.
+/// What a pair's step needs and does not depend on the pairs before it: direction e = r/|r|, the weight of
+/// its friction (SDPD: chi = F/(rho_i rho_j)) and noise, as one array each.
 struct PairInputs {
-  std::vector<float> e_x, e_y, e_z, chi, G_x, G_y, G_z;
-  std::vector<std::uint32_t> bits; ///< spare random bits of the noise
+  std::vector<float> e_x, e_y, e_z, weight, G_x, G_y, G_z;
+  std::vector<float> weight_across; ///< for laws with Across::own
+  std::vector<std::uint32_t> bits;  ///< spare random bits of the noise
 
-  void resize(std::size_t count) {
-    for (auto* values : {&e_x, &e_y, &e_z, &chi, &G_x, &G_y, &G_z})
+  void resize(std::size_t count, Across across) {
+    for (auto* values : {&e_x, &e_y, &e_z, &weight, &G_x, &G_y, &G_z})
       values->resize(count);
+    if (across == Across::own)
+      weight_across.resize(count);
     bits.resize(count);
   }
 };
 
-/// A block's particles in a private copy while its pairs are swept.
-class FluctuatingBlock {
+/// Who is in a block, and where, while its pairs are swept.
+class BlockGeometry {
  public:
-  void copy_in(System const& system, std::size_t block);
-  /// The new momenta and energies.
-  void copy_out(System& system) const;
-
   std::size_t size() const { return size_; }
-  std::vector<FluctuatingParticle>& particles() { return particles_; }
-  /// Positions with 1/rho.
+  /// Positions with 1/rho, where there are densities.
   std::vector<Row> const& rows() const { return rows_; }
   std::vector<std::uint32_t> const& ids() const { return ids_; }
   BlockMembers const& members() const { return members_; }
   /// Where the particle is in memory.
   Index index(std::size_t local) const { return global_index(members_, local); }
 
+ protected:
+  void copy_geometry(System const& system, std::size_t block);
+
+ private:
+  BlockMembers members_;
+  std::size_t size_ = 0;
+  std::vector<Row> rows_;
+  std::vector<std::uint32_t> ids_;
+};
+
+/// A block's particles with energies in a private copy.
+class FluctuatingBlock : public BlockGeometry {
+ public:
+  void copy_in(System const& system, std::size_t block);
+  /// The new momenta and energies.
+  void copy_out(System& system) const;
+
+  std::vector<FluctuatingParticle>& particles() { return particles_; }
+
   /// Begins a new caloric expansion at the particle's energy; false, and a report to `failure`, when that
   /// energy has no temperature.
   bool renew(System& system, std::size_t local, Failure& failure);
 
  private:
-  BlockMembers members_;
-  std::size_t size_ = 0;
   std::vector<FluctuatingParticle> particles_;
-  std::vector<Row> rows_;
-  std::vector<std::uint32_t> ids_;
 };
 
-/// Directions, chi and noise of some pairs of a block. The noise points from the smaller to the larger id.
-/// Lanes past the last pair hold finite numbers.
-void prepare_pairs(FluctuatingBlock const& block, AnyKernel const& kernel, std::span<LocalPair const> pairs,
-                   NoiseSource const& source, PairInputs& inputs);
+/// A block's particles without energies in a private copy: momenta as rows.
+class MomentumBlock : public BlockGeometry {
+ public:
+  void copy_in(System const& system, std::size_t block);
+  void copy_out(System& system) const;
+
+  std::vector<Row>& particles() { return momenta_; }
+
+ private:
+  std::vector<Row> momenta_;
+};
+
+/// The block that a law's sweeps work in.
+template <class Law>
+using BlockOf = std::conditional_t<Law::has_energies, FluctuatingBlock, MomentumBlock>;
+
+/// Calls f(weights) once, where weights(r, 1/r, a, b) are the PairWeights at distance r of two particles with
+/// the last quantities a and b of their rows; for lanes and for numbers.
+template <class F>
+void with_weights(System const& system, SdpdLaw const&, F const& f) {
+  std::visit(
+      [&](auto const& kernel) {
+        f([&]<class X>(X const& r, X const& inverse_r, X const& a, X const& b) [[gnu::always_inline]] {
+          X const chi = kernel.F(r, inverse_r) * (a * b);
+          return PairWeights<X>{chi, chi};
+        });
+      },
+      system.kernel);
+}
+template <class Law, class F>
+void with_weights(System const&, Law const& law, F const& f) {
+  std::visit(
+      [&](auto const& shape) {
+        f([&]<class X>(X const& r, X const&, X const&, X const&) [[gnu::always_inline]] { return shape(r); });
+      },
+      law.shape);
+}
+
+/// Directions, weights and noise of some pairs of a block. The noise points from the smaller to the larger
+/// id. Lanes past the last pair hold finite numbers.
+template <class Law>
+void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
+                   std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs);
 
 } // namespace mesobridge::sdpd

@@ -1,5 +1,6 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
+#include "sdpd/step/fluctuation_isothermal.hpp"
 #include "sdpd/step/pair_lanes.hpp"
 
 namespace mesobridge::sdpd {
@@ -16,22 +17,12 @@ struct ThermalLanes {
         inverse_C_b(to_float(b.caloric.inverse_C(u_b))) {}
 };
 
-[[gnu::always_inline]] inline BathLanes::Directions step_of(Sweep const& sweep, FloatLanes const& chi,
-                                                            ThermalLanes const& at) {
-  return BathLanes(sweep.boltzmann, to_float(at.T_a), to_float(at.T_b), at.inverse_C_a, at.inverse_C_b)
-      .step(sweep.friction.par(chi), sweep.friction.perp(chi), sweep.friction.par_is_twice_perp(), sweep.dt);
-}
-
-/// The change of the relative velocity v.
-[[gnu::always_inline]] inline VectorLanes<FloatLanes> velocity_change(BathLanes::Directions const& step,
-                                                                      InputLanes const& input,
-                                                                      VectorLanes<FloatLanes> const& v) {
-  auto const& [par, perp] = step;
-  auto const &e = input.e, &G = input.G;
-  FloatLanes const kick = perp.kick();
-  FloatLanes const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * dot(e, G);
-  return {perp.decay * v.x + kick * G.x + along * e.x, perp.decay * v.y + kick * G.y + along * e.y,
-          perp.decay * v.z + kick * G.z + along * e.z};
+template <class Law>
+[[gnu::always_inline]] inline BathLanes::Directions
+step_of(Sweep<Law> const& sweep, PairWeights<FloatLanes> const& weight, ThermalLanes const& at) {
+  auto const bath = sweep.law.template bath<FloatLanes>(
+      {to_float(at.T_a), to_float(at.T_b), at.inverse_C_a, at.inverse_C_b});
+  return step_in(bath, sweep.law, weight, sweep.dt);
 }
 
 /// a/b where b > 0, and 1 where both vanish (at the edge of the kernel, where nothing happens).
@@ -40,12 +31,22 @@ struct ThermalLanes {
   return (a + tiny) / (b + tiny);
 }
 
-/// The exponent a of theory sheet, section 3, EMS, as in ExactPair.
+/// The square of the noise that would lead back; that of the noise itself where there is no friction.
 [[gnu::always_inline]] inline FloatLanes
-log_acceptance(BathLanes::Directions const& there, BathLanes::Directions const& back, InputLanes const& input,
-               VectorLanes<FloatLanes> const& v, VectorLanes<FloatLanes> const& dv, ParticleLanes const& a,
-               ParticleLanes const& b, ThermalLanes const& at, ThermalLanes const& proposed,
-               double boltzmann) {
+square_over_variance(FloatLanes const& square, FloatLanes const& variance, FloatLanes const& noise2) {
+  return variance > 0.0f ? square / variance : noise2;
+}
+
+/// The noise's part of the exponent a of theory sheet, section 3, EMS, as in ExactPair: G^2 less the square
+/// of the noise that would lead back, and the widths' ratio |B|^2/|B'|^2.
+struct NoiseTerms {
+  FloatLanes squares, widths;
+};
+[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
+                                                     BathLanes::Directions const& back,
+                                                     InputLanes<Across::common> const& input,
+                                                     VectorLanes<FloatLanes> const& v,
+                                                     VectorLanes<FloatLanes> const& dv) {
   auto const& e = input.e;
   VectorLanes<FloatLanes> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
   VectorLanes<FloatLanes> const rest{dv.x + back.perp.decay * moved.x, dv.y + back.perp.decay * moved.y,
@@ -55,12 +56,54 @@ log_acceptance(BathLanes::Directions const& there, BathLanes::Directions const& 
   FloatLanes const noise2 =
       dot(input.G, input.G) - ratio(along * along, back.par.variance) - ratio(across2, back.perp.variance);
   FloatLanes const across_ratio = ratio(there.perp.variance, back.perp.variance);
-  FloatLanes const widths = ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio;
+  return {noise2, ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
+}
+[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
+                                                     BathLanes::Directions const& back,
+                                                     InputLanes<Across::none> const& input,
+                                                     VectorLanes<FloatLanes> const& v,
+                                                     VectorLanes<FloatLanes> const& dv) {
+  FloatLanes const along_dv = dot(input.e, dv), noise = dot(input.e, input.G), noise2 = noise * noise;
+  FloatLanes const along = along_dv + back.par.decay * (dot(input.e, v) + along_dv);
+  return {noise2 - square_over_variance(along * along, back.par.variance, noise2),
+          ratio(there.par.variance, back.par.variance)};
+}
+/// Either friction may vanish alone, which must not leave a round-off of the other.
+[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
+                                                     BathLanes::Directions const& back,
+                                                     InputLanes<Across::own> const& input,
+                                                     VectorLanes<FloatLanes> const& v,
+                                                     VectorLanes<FloatLanes> const& dv) {
+  auto const &e = input.e, &G = input.G;
+  VectorLanes<FloatLanes> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
+  FloatLanes const along_dv = dot(e, dv), along_moved = dot(e, moved), noise = dot(e, G);
+  FloatLanes const along = along_dv + back.par.decay * along_moved;
+  auto across = [&](FloatLanes const& dv_k, FloatLanes const& moved_k, FloatLanes const& e_k) {
+    return dv_k - along_dv * e_k + back.perp.decay * (moved_k - along_moved * e_k);
+  };
+  VectorLanes<FloatLanes> const side{across(dv.x, moved.x, e.x), across(dv.y, moved.y, e.y),
+                                     across(dv.z, moved.z, e.z)};
+  FloatLanes const noise2 = noise * noise, noise_across2 = dot(G, G) - noise2;
+  FloatLanes const across_ratio = ratio(there.perp.variance, back.perp.variance);
+  return {noise2 - square_over_variance(along * along, back.par.variance, noise2) + noise_across2 -
+              square_over_variance(dot(side, side), back.perp.variance, noise_across2),
+          ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
+}
+
+/// The exponent a itself.
+template <class Law>
+[[gnu::always_inline]] inline FloatLanes log_acceptance(NoiseTerms const& noise, ParticleLanes const& a,
+                                                        ParticleLanes const& b, ThermalLanes const& at,
+                                                        ThermalLanes const& proposed, double boltzmann) {
   Lanes const log_a = logarithm(proposed.T_a / at.T_a), log_b = logarithm(proposed.T_b / at.T_b);
   Lanes const entropies = (a.caloric.entropy_change(at.T_a, proposed.T_a, log_a) +
                            b.caloric.entropy_change(at.T_b, proposed.T_b, log_b)) *
                           broadcast(1 / boltzmann);
-  return to_float(entropies - log_a - log_b + 0.5 * logarithm(to_double(widths))) + 0.5f * noise2;
+  Lanes const widths = 0.5 * logarithm(to_double(noise.widths));
+  if constexpr (Law::measure_over_T)
+    return to_float(entropies - log_a - log_b + widths) + 0.5f * noise.squares;
+  else
+    return to_float(entropies + widths) + 0.5f * noise.squares;
 }
 
 /// What became of a group of pairs: one bit a lane.
@@ -92,17 +135,17 @@ struct Verdict {
 }
 
 /// The steps of up to eight pairs that share no particle.
-template <PairScheme scheme>
+template <class Law, PairScheme scheme>
 [[gnu::always_inline]] inline GroupOutcome
 fluctuate_group(FluctuatingParticle* particles, LocalPair const* pair, PairInputs const& inputs,
-                std::size_t first, std::size_t count, Sweep const& sweep) {
+                std::size_t first, std::size_t count, Sweep<Law> const& sweep) {
   ParticleLanes const a(load_lines([&](std::size_t l) { return &particles[pair[l].i]; }));
   ParticleLanes const b(load_lines([&](std::size_t l) { return &particles[pair[l].j]; }));
-  InputLanes const input(inputs, first);
+  InputLanes<Law::across> const input(inputs, first);
   Lanes const v_x = a.p_x - b.p_x, v_y = a.p_y - b.p_y, v_z = a.p_z - b.p_z;
   VectorLanes<FloatLanes> const v{to_float(v_x), to_float(v_y), to_float(v_z)};
   ThermalLanes const at(a, b, a.u, b.u);
-  auto const there = step_of(sweep, input.chi, at);
+  auto const there = step_of(sweep, input.weight, at);
   auto const change = velocity_change(there, input, v);
   Lanes const dv_x = to_double(change.x), dv_y = to_double(change.y), dv_z = to_double(change.z);
   Lanes const heat =
@@ -121,10 +164,10 @@ fluctuate_group(FluctuatingParticle* particles, LocalPair const* pair, PairInput
                .test = 0,
                .out_of_domain = present & in_reach & ~in_domain};
   if constexpr (scheme == PairScheme::ems) {
-    auto const back = step_of(sweep, input.chi, proposed);
+    auto const back = step_of(sweep, input.weight, proposed);
+    auto const noise = noise_terms(there, back, input, v, change);
     auto const verdict =
-        metropolis(log_acceptance(there, back, input, v, change, a, b, at, proposed, sweep.boltzmann),
-                   &inputs.bits[first]);
+        metropolis(log_acceptance<Law>(noise, a, b, at, proposed, sweep.law.boltzmann), &inputs.bits[first]);
     outcome.test = outcome.made & verdict.open;
     outcome.made &= verdict.passed;
   }
@@ -145,10 +188,10 @@ fluctuate_group(FluctuatingParticle* particles, LocalPair const* pair, PairInput
 }
 
 /// One block while it is swept.
-template <PairScheme scheme>
+template <class Law, PairScheme scheme>
 class BlockSweep {
  public:
-  BlockSweep(System& system, FluctuatingBlock& block, PairInputs& inputs, Sweep const& sweep,
+  BlockSweep(System& system, FluctuatingBlock& block, PairInputs& inputs, Sweep<Law> const& sweep,
              PairCounts& counts, Failure& failure)
       : system_(system), block_(block), inputs_(inputs), sweep_(sweep), counts_(counts), failure_(failure) {}
 
@@ -158,7 +201,7 @@ class BlockSweep {
     bool fine = true;
     for_each_group(pairs, block_.size(), [&](LocalPair const* pair, std::size_t k, std::size_t count) {
       auto const outcome =
-          fluctuate_group<scheme>(block_.particles().data(), pair, inputs_, first + k, count, sweep_);
+          fluctuate_group<Law, scheme>(block_.particles().data(), pair, inputs_, first + k, count, sweep_);
       counts_.proposed += count;
       if (outcome.made != (1u << count) - 1 || outcome.renew != 0) [[unlikely]]
         fine = fine && finish(outcome, pair, first + k, count);
@@ -190,47 +233,33 @@ class BlockSweep {
     auto const a = block_.ids()[pair.i], b = block_.ids()[pair.j];
     double const uniform =
         acceptance_uniform(sweep_.noise.acceptance, std::min(a, b), std::max(a, b), inputs_.bits[k]);
-    ExactPair(system_, block_, pair)
-        .step(scheme, {.e = {inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]}, .chi = inputs_.chi[k]},
+    double const weight = inputs_.weight[k];
+    double const across = Law::across == Across::own ? inputs_.weight_across[k] : weight;
+    ExactPair<Law>(system_, block_, pair)
+        .step(scheme, {.e = {inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]}, .weight = {weight, across}},
               {.G = {inputs_.G_x[k], inputs_.G_y[k], inputs_.G_z[k]}, .uniform = uniform}, sweep_, counts_);
   }
 
   System& system_;
   FluctuatingBlock& block_;
   PairInputs& inputs_;
-  Sweep const& sweep_;
+  Sweep<Law> const& sweep_;
   PairCounts& counts_;
   Failure& failure_;
 };
 
-/// Calls f(begin, end, ends of the matchings) for runs of whole matchings of some hundred pairs, so that what
-/// is prepared for them stays in the cache.
-template <class F>
-void for_each_run(std::span<std::uint32_t const> ends, F&& f) {
-  constexpr std::uint32_t length = 256;
-  std::uint32_t begin = 0;
-  for (std::size_t m = 0; m < ends.size();) {
-    std::size_t const first = m;
-    do
-      ++m;
-    while (m < ends.size() && ends[m] - begin <= length);
-    f(begin, ends[m - 1], ends.subspan(first, m - first));
-    begin = ends[m - 1];
-  }
-}
-
-template <PairScheme scheme>
-void sweep_block(System& system, std::size_t number, Sweep const& sweep, PairCounts& counts,
+template <class Law, PairScheme scheme>
+void sweep_block(System& system, std::size_t number, Sweep<Law> const& sweep, PairCounts& counts,
                  Failure& failure) {
   thread_local FluctuatingBlock block;
   thread_local PairInputs inputs;
   auto const& neighbours = system.neighbours;
   auto const pairs = neighbours.pairs(number);
   block.copy_in(system, number);
-  BlockSweep<scheme> in_lanes(system, block, inputs, sweep, counts, failure);
+  BlockSweep<Law, scheme> in_lanes(system, block, inputs, sweep, counts, failure);
   for_each_run(neighbours.pair_ends(number), [&](std::uint32_t begin, std::uint32_t end,
                                                  std::span<std::uint32_t const> ends) {
-    prepare_pairs(block, system.kernel, pairs.subspan(begin, end - begin), sweep.noise.pairs, inputs);
+    prepare_pairs(system, sweep.law, block, pairs.subspan(begin, end - begin), sweep.noise.pairs, inputs);
     std::uint32_t at = begin;
     for (std::uint32_t const next : ends) {
       if (!in_lanes.matching(pairs.subspan(at, next - at), at - begin))
@@ -241,27 +270,37 @@ void sweep_block(System& system, std::size_t number, Sweep const& sweep, PairCou
   block.copy_out(system);
 }
 
-template <PairScheme scheme>
-void fluctuate(System& system, double dt, bool second) {
-  sweep_all_blocks(system, dt, second,
-                   [&](std::size_t block, Sweep const& sweep, PairCounts& counts, Failure& failure) {
-                     sweep_block<scheme>(system, block, sweep, counts, failure);
+template <PairScheme scheme, class Law>
+void fluctuate(System& system, Law const& law, double dt, bool second) {
+  sweep_all_blocks(system, law, dt, second,
+                   [&](std::size_t block, Sweep<Law> const& sweep, PairCounts& counts, Failure& failure) {
+                     sweep_block<Law, scheme>(system, block, sweep, counts, failure);
                    });
+}
+
+template <class Law>
+void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, bool second) {
+  if constexpr (!Law::has_energies)
+    return fluctuate_isothermal(system, law, dt, second);
+  else
+    switch (scheme) {
+    case PairScheme::ssa:
+      return fluctuate<PairScheme::ssa>(system, law, dt, second);
+    case PairScheme::ams:
+      return fluctuate<PairScheme::ams>(system, law, dt, second);
+    case PairScheme::ems:
+      return fluctuate<PairScheme::ems>(system, law, dt, second);
+    case PairScheme::ser:
+      break; // made below for every law
+    }
 }
 
 } // namespace
 
 void fluctuate(System& system, PairScheme scheme, double dt, bool second) {
-  switch (scheme) {
-  case PairScheme::ssa:
-    return fluctuate<PairScheme::ssa>(system, dt, second);
-  case PairScheme::ams:
-    return fluctuate<PairScheme::ams>(system, dt, second);
-  case PairScheme::ems:
-    return fluctuate<PairScheme::ems>(system, dt, second);
-  case PairScheme::ser:
+  if (scheme == PairScheme::ser)
     return fluctuate_ser(system, dt, second);
-  }
+  std::visit([&](auto const& law) { fluctuate(system, law, scheme, dt, second); }, system.law);
 }
 
 } // namespace mesobridge::sdpd

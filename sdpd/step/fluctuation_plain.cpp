@@ -5,26 +5,44 @@
 namespace mesobridge::sdpd {
 namespace {
 
-template <class Kernel>
-void sweep_block(System& system, Kernel const& kernel, PairScheme scheme, std::size_t number,
-                 Sweep const& sweep, PairCounts& counts, Failure& failure) {
-  FluctuatingBlock block;
+/// One pair's step at the set temperature.
+template <class Law>
+void isothermal_step(Row& a, Row& b, Vec3 const& e, PairWeights<double> const& weight, Vec3 const& G,
+                     Sweep<Law> const& sweep) {
+  auto const [a_par, a_perp] = sweep.law.coefficients(weight);
+  auto const [par, perp] = sweep.law.template bath<double>().step(a_par, a_perp, false, sweep.dt);
+  Vec3 const v{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  Vec3 const v_par = dot(e, v) * e, G_par = dot(e, G) * e;
+  Vec3 const dp =
+      0.5 * (par.decay * v_par + par.kick() * G_par + perp.decay * (v - v_par) + perp.kick() * (G - G_par));
+  a += Row{dp.x, dp.y, dp.z, 0}, b -= Row{dp.x, dp.y, dp.z, 0};
+}
+
+template <class Law, class Weights>
+void sweep_block(System& system, Weights const& weights, PairScheme scheme, std::size_t number,
+                 Sweep<Law> const& sweep, PairCounts& counts, Failure& failure) {
+  BlockOf<Law> block;
   block.copy_in(system, number);
   for (auto const pair : system.neighbours.pairs(number)) {
     Row const &at_i = block.rows()[pair.i], &at_j = block.rows()[pair.j];
-    Vec3 const r{at_i[0] - at_j[0], at_i[1] - at_j[1], at_i[2] - at_j[2]};
-    auto const a = block.ids()[pair.i], b = block.ids()[pair.j];
-    auto const [G, bits] = gaussians_and_bits_reference(sweep.noise.pairs, std::min(a, b), std::max(a, b));
+    Vec3 const r{at_i[0] - at_j[0], at_i[1] - at_j[1], at_i[2] - at_j[2]}, e = r / norm(r);
+    auto const low = std::min(block.ids()[pair.i], block.ids()[pair.j]),
+               high = std::max(block.ids()[pair.i], block.ids()[pair.j]);
+    auto const [g, bits] = gaussians_and_bits_reference(sweep.noise.pairs, low, high);
+    Vec3 const G = (low == block.ids()[pair.i] ? 1.0 : -1.0) * Vec3{g[0], g[1], g[2]};
+    PairWeights<double> const weight = weights(norm(r), 1 / norm(r), at_i[3], at_j[3]);
     ++counts.proposed;
-    try {
-      ExactPair(system, block, pair)
-          .step(scheme, {.e = r / norm(r), .chi = kernel.F(norm(r), 1 / norm(r)) * at_i[3] * at_j[3]},
-                {.G = (a < b ? 1.0 : -1.0) * Vec3{G[0], G[1], G[2]},
-                 .uniform = acceptance_uniform(sweep.noise.acceptance, std::min(a, b), std::max(a, b), bits)},
-                sweep, counts);
-    } catch (PhysicsError const& error) {
-      failure.report(std::min(a, b), error.what());
-      return;
+    if constexpr (!Law::has_energies) {
+      isothermal_step(block.particles()[pair.i], block.particles()[pair.j], e, weight, G, sweep);
+    } else {
+      try {
+        double const uniform = acceptance_uniform(sweep.noise.acceptance, low, high, bits);
+        ExactPair<Law>(system, block, pair)
+            .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
+      } catch (PhysicsError const& error) {
+        failure.report(low, error.what());
+        return;
+      }
     }
   }
   block.copy_out(system);
@@ -36,13 +54,16 @@ void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second) 
   if (scheme == PairScheme::ser)
     throw std::logic_error("SER does not go pair after pair");
   std::visit(
-      [&](auto const& kernel) {
-        sweep_all_blocks(system, dt, second,
-                         [&](std::size_t block, Sweep const& sweep, PairCounts& counts, Failure& failure) {
-                           sweep_block(system, kernel, scheme, block, sweep, counts, failure);
-                         });
+      [&]<class Law>(Law const& law) {
+        with_weights(system, law, [&](auto const& weights) {
+          sweep_all_blocks(
+              system, law, dt, second,
+              [&](std::size_t block, Sweep<Law> const& sweep, PairCounts& counts, Failure& failure) {
+                sweep_block(system, weights, scheme, block, sweep, counts, failure);
+              });
+        });
       },
-      system.kernel);
+      system.law);
 }
 
 } // namespace mesobridge::sdpd

@@ -14,20 +14,38 @@ struct SweepNoise {
 };
 
 /// What a sweep needs beside the pairs.
+template <class Law>
 struct Sweep {
-  SdpdFriction friction;
-  double boltzmann, dt;
+  Law const& law;
+  double dt;
   SweepNoise noise;
 };
 
+/// Calls f(begin, end, ends of the matchings) for runs of whole matchings of some hundred pairs, so that what
+/// is prepared for them stays in the cache.
+template <class F>
+void for_each_run(std::span<std::uint32_t const> ends, F&& f) {
+  constexpr std::uint32_t length = 256;
+  std::uint32_t begin = 0;
+  for (std::size_t m = 0; m < ends.size();) {
+    std::size_t const first = m;
+    do
+      ++m;
+    while (m < ends.size() && ends[m] - begin <= length);
+    f(begin, ends[m - 1], ends.subspan(first, m - first));
+    begin = ends[m - 1];
+  }
+}
+
 /// Calls sweep_block(block, sweep, counts, failure) for every block and then gives the energies gained, and
 /// the temperatures that belong to them, to the particles.
-template <class SweepBlock>
-void sweep_all_blocks(System& system, double dt, bool second, SweepBlock const& sweep_block) {
+template <class Law, class SweepBlock>
+void sweep_all_blocks(System& system, Law const& law, double dt, bool second, SweepBlock const& sweep_block) {
   auto& particles = system.particles;
   auto const& grid = system.neighbours.grid();
-  system.energy_gain.assign(particles.size(), 0);
-  Sweep const sweep{system.friction, system.boltzmann, dt, SweepNoise(system, second)};
+  if constexpr (Law::has_energies)
+    system.energy_gain.assign(particles.size(), 0);
+  Sweep<Law> const sweep{law, dt, SweepNoise(system, second)};
   std::vector<PairCounts> counts(grid.blocks().size());
   Failure failure;
   for_each_block(grid, system.threads,
@@ -35,10 +53,12 @@ void sweep_all_blocks(System& system, double dt, bool second, SweepBlock const& 
   system.stop_at(failure);
   for (auto const& of_block : counts)
     system.pair_counts += of_block;
+  if constexpr (Law::has_energies) {
 #pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles.eps[i] += system.energy_gain[i];
-    particles.T[i] = particles.caloric[i].T(system.energy_gain[i]);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      particles.eps[i] += system.energy_gain[i];
+      particles.T[i] = particles.caloric[i].T(system.energy_gain[i]);
+    }
   }
 }
 

@@ -43,18 +43,51 @@ struct VectorLanes {
 };
 
 /// Geometry and noise of eight pairs.
+template <Across across>
 struct InputLanes {
-  FloatLanes chi;
+  PairWeights<FloatLanes> weight;
   VectorLanes<FloatLanes> e, G;
 
   [[gnu::always_inline]] InputLanes(PairInputs const& from, std::size_t first)
-      : chi(load<FloatLanes>(&from.chi[first])), e{load<FloatLanes>(&from.e_x[first]),
-                                                   load<FloatLanes>(&from.e_y[first]),
-                                                   load<FloatLanes>(&from.e_z[first])},
+      : e{load<FloatLanes>(&from.e_x[first]), load<FloatLanes>(&from.e_y[first]),
+          load<FloatLanes>(&from.e_z[first])},
         G{load<FloatLanes>(&from.G_x[first]), load<FloatLanes>(&from.G_y[first]),
-          load<FloatLanes>(&from.G_z[first])} {}
+          load<FloatLanes>(&from.G_z[first])} {
+    weight.par = weight.perp = load<FloatLanes>(&from.weight[first]);
+    if constexpr (across == Across::own)
+      weight.perp = load<FloatLanes>(&from.weight_across[first]);
+  }
 };
 
-using BathLanes = PairBath<FloatLanes>;
+using BathLanes = Bath<FloatLanes>;
+
+/// The Ornstein-Uhlenbeck steps of eight pairs in a bath.
+template <class Law>
+[[gnu::always_inline]] inline BathLanes::Directions
+step_in(BathLanes const& bath, Law const& law, PairWeights<FloatLanes> const& weight, double dt) {
+  auto const [a_par, a_perp] = law.coefficients(weight);
+  if constexpr (Law::across == Across::none)
+    return {bath.step(a_par, dt), {FloatLanes{}, FloatLanes{}}};
+  else
+    return bath.step(a_par, a_perp, law.par_is_twice_perp(), dt);
+}
+
+/// The change of the relative velocity v.
+template <Across across>
+[[gnu::always_inline]] inline VectorLanes<FloatLanes> velocity_change(BathLanes::Directions const& step,
+                                                                      InputLanes<across> const& input,
+                                                                      VectorLanes<FloatLanes> const& v) {
+  auto const& [par, perp] = step;
+  auto const &e = input.e, &G = input.G;
+  if constexpr (across == Across::none) {
+    FloatLanes const along = par.decay * dot(e, v) + par.kick() * dot(e, G);
+    return {along * e.x, along * e.y, along * e.z};
+  } else {
+    FloatLanes const kick = perp.kick();
+    FloatLanes const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * dot(e, G);
+    return {perp.decay * v.x + kick * G.x + along * e.x, perp.decay * v.y + kick * G.y + along * e.y,
+            perp.decay * v.z + kick * G.z + along * e.z};
+  }
+}
 
 } // namespace mesobridge::sdpd

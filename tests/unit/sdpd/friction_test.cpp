@@ -28,7 +28,7 @@ TEST(PairBath, FulfilsTheGeneralFluctuationDissipationRelation) {
   double const slope = (sigma2_over_TT(e_i + h, e_j + h) - sigma2_over_TT(e_i - h, e_j - h)) / (2 * h);
   double const gamma =
       0.25 * (T_i * T_j * slope + sigma2_over_TT(e_i, e_j) * T_i * T_j / kB * (1 / T_i + 1 / T_j));
-  EXPECT_NEAR(a * PairBath<double>(kB, T_i, T_j, 1 / C_i, 1 / C_j).one_minus_d, gamma, 1e-8);
+  EXPECT_NEAR(a * PairBath<double>(kB, T_i, T_j, 1 / C_i, 1 / C_j).gamma_over_a, gamma, 1e-8);
 }
 
 TEST(PairBath, LeavesTheEquilibriumVarianceOfTheVelocityAlone) {

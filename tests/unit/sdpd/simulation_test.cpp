@@ -169,7 +169,7 @@ TEST(FluctuationAndDissipation, HasTemperaturesAsGoodAsAnInversionPerPair) {
   fluctuate(system, PairScheme::ssa, 0.03);
   auto const& particles = system.particles;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    double const exact = system.thermodynamics->temperature(particles.eps[i], particles.rho[i], 1);
+    double const exact = system.thermodynamics->state(particles, static_cast<Index>(i), particles.eps[i]).T;
     worst = std::max(worst, std::abs(particles.T[i] / exact - 1));
   }
   RecordProperty("worst_relative_error_of_T", std::to_string(worst));
@@ -218,6 +218,7 @@ TEST(FluctuationAndDissipation, OfSerIsThatOfADirectSum) {
   auto const before = system.particles;
   double const dt = 0.02, energy = total_energy(system);
   NoiseSource const source(system.seed, Stream::fluctuation, system.step);
+  SdpdFriction const friction = std::get<SdpdLaw>(system.law).friction;
   CubicKernel const kernel(2.5);
   std::size_t const n = system.size();
   std::vector<Vec3> impulse(n);
@@ -228,14 +229,13 @@ TEST(FluctuationAndDissipation, OfSerIsThatOfADirectSum) {
         continue;
       double const chi = kernel.F(norm(r), 1 / norm(r)) / (before.rho[i] * before.rho[j]);
       auto const C = [&](std::size_t k) {
-        return 1 / system.thermodynamics->heat_capacity(before.T[k], before.rho[k]);
+        return 1 / system.thermodynamics->heat_capacity(before, static_cast<Index>(k));
       };
       PairBath<double> const bath(system.boltzmann, before.T[i], before.T[j], C(i), C(j));
       auto const a = before.id[i], b = before.id[j];
       auto const g = gaussians_reference(source, std::min(a, b), std::max(a, b));
       Vec3 const G = (a < b ? 1.0 : -1.0) * Vec3{g[0], g[1], g[2]}, e = r / norm(r);
-      double const par = system.friction.par(chi) * bath.one_minus_d,
-                   perp = system.friction.perp(chi) * bath.one_minus_d;
+      double const par = friction.par(chi) * bath.gamma_over_a, perp = friction.perp(chi) * bath.gamma_over_a;
       double const kick_par = std::sqrt(bath.thermal * par * dt),
                    kick_perp = std::sqrt(bath.thermal * perp * dt);
       Vec3 const v_par = dot(e, v) * e, G_par = dot(e, G) * e;

@@ -1,0 +1,60 @@
+#pragma once
+#include "md/error.hpp"
+#include "sdpd/pair/bath.hpp"
+#include "sdpd/pair/uniform_table.hpp"
+#include <variant>
+
+namespace mesobridge::sdpd {
+
+/// Friction coefficients gamma_theta (1 - r/r_c)^s of a pair at distance r, zero beyond the cut-off r_c; s =
+/// 2 is the customary chi^2 with chi = 1 - r/r_c.
+class PowerFriction {
+ public:
+  PowerFriction(double par, double perp, double cutoff, double exponent)
+      : par_(par), perp_(perp), inverse_cutoff_(1 / cutoff), exponent_(exponent) {
+    auto coefficient = [](char const* name, double value) {
+      require(value >= 0 && std::isfinite(value), name, value, "must be >= 0 and finite");
+    };
+    coefficient("friction gamma_par", par), coefficient("friction gamma_perp", perp);
+    require(cutoff > 0 && std::isfinite(cutoff), "friction cutoff", cutoff, "must be > 0 and finite");
+    require(exponent > 0 && exponent <= 20, "friction exponent", exponent, "must be > 0 and <= 20");
+  }
+  bool has_across() const { return perp_ > 0; }
+
+  template <class X>
+  [[gnu::always_inline]] PairWeights<X> operator()(X const& r) const {
+    X const left = 1.0 - r * inverse_cutoff_, zero = 0.0 * r;
+    X const weight = left > 0.0 ? (exponent_ == 2 ? left * left : power(left, exponent_)) : zero;
+    return {par_ * weight, perp_ * weight};
+  }
+
+ private:
+  double par_, perp_, inverse_cutoff_, exponent_;
+};
+
+/// Friction coefficients from a table over r: monotone (Steffen) between its points, so never negative;
+/// constant below the first point and zero from the last on.
+class TabulatedFriction {
+ public:
+  /// r rising, gamma >= 0; an empty `perp` is friction along the line of centres alone. Throws InputError.
+  TabulatedFriction(std::vector<double> const& r, std::vector<double> const& par,
+                    std::vector<double> const& perp);
+  bool has_across() const { return has_across_; }
+  double cutoff() const { return table_.end(); }
+
+  template <class X>
+  [[gnu::always_inline]] PairWeights<X> operator()(X const& r) const {
+    X const zero = 0.0 * r;
+    auto const [par, par_slope, perp, perp_slope, t] = table_.at(r);
+    X const a = par + t * par_slope, b = perp + t * perp_slope;
+    return {r < table_.end() ? a : zero, r < table_.end() ? b : zero};
+  }
+
+ private:
+  bool has_across_;
+  UniformTable table_;
+};
+
+using AnyFrictionShape = std::variant<PowerFriction, TabulatedFriction>;
+
+} // namespace mesobridge::sdpd

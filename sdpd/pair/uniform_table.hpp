@@ -1,0 +1,59 @@
+#pragma once
+#include "sdpd/lanes.hpp"
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace mesobridge::sdpd {
+
+/// Four coefficients for each of many equal intervals of r: piecewise polynomials that lanes look up fast.
+class UniformTable {
+ public:
+  /// Enough that a cubic's error, which falls with the fourth power, is beneath every table's own.
+  static constexpr std::size_t intervals = 2048;
+
+  /// `coefficients(r, width)` belongs to the interval that begins at r.
+  UniformTable(double begin, double end, std::function<Row(double r, double width)> const& coefficients)
+      : begin_(begin), end_(end), per_width_(intervals / (end - begin)), rows_(intervals) {
+    double const width = (end - begin) / intervals;
+    for (std::size_t k = 0; k < intervals; ++k)
+      rows_[k] = coefficients(begin + static_cast<double>(k) * width, width);
+  }
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+
+  /// The coefficients at r with the place in its interval, t in 0 ... 1. Beyond its ends the table gives its
+  /// first coefficients at t = 0 and its last at t = 1.
+  template <class X>
+  struct At {
+    X c_0, c_1, c_2, c_3, t;
+  };
+  At<double> at(double r) const {
+    double const x = place(r);
+    std::size_t const k = interval(x);
+    Row const& c = rows_[k];
+    return {c[0], c[1], c[2], c[3], x - static_cast<double>(k)};
+  }
+  [[gnu::always_inline]] At<Lanes> at(Lanes const& r) const {
+    std::array<std::size_t, lane_count> k;
+    Lanes t;
+    for (std::size_t l = 0; l < lane_count; ++l) {
+      double const x = place(r[l]);
+      k[l] = interval(x);
+      t[l] = x - static_cast<double>(k[l]);
+    }
+    auto const [c_0, c_1, c_2, c_3] = load_rows([&](std::size_t l) { return &rows_[k[l]]; });
+    return {c_0, c_1, c_2, c_3, t};
+  }
+
+ private:
+  double place(double r) const {
+    return std::min(std::max((r - begin_) * per_width_, 0.0), static_cast<double>(intervals));
+  }
+  static std::size_t interval(double x) { return std::min(static_cast<std::size_t>(x), intervals - 1); }
+
+  double begin_, end_, per_width_;
+  std::vector<Row> rows_;
+};
+
+} // namespace mesobridge::sdpd
