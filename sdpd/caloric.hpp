@@ -18,6 +18,11 @@ struct Caloric {
   double inverse_C(double u) const { return inverse_C_0 + 2 * curvature * u; }
   /// False when T is not a number.
   bool in_reach(double u) const { return std::abs(T(u) - T_0) < limit; }
+  /// S(T_1) - S(T): with C = C_0 + C' (T - T_0), C' = -2 c C_0^3, the integral of C/T.
+  double entropy_change(double T, double T_1) const {
+    double const C_0 = 1 / inverse_C_0, slope = -2 * curvature * C_0 * C_0 * C_0;
+    return (C_0 - slope * T_0) * std::log(T_1 / T) + slope * (T_1 - T);
+  }
 };
 
 /// Largest relative change of T that an expansion serves when the heat capacity varies; T is then right to

@@ -34,7 +34,11 @@ enum class Stream : std::uint32_t {
   initial_energies = 3,
   second_fluctuation = 4, ///< of a step that has two sweeps
   acceptance = 5,
-  second_acceptance = 6
+  second_acceptance = 6,
+  conduction = 7,
+  second_conduction = 8,
+  conduction_acceptance = 9,
+  second_conduction_acceptance = 10
 };
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.

@@ -49,9 +49,20 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
+/// Boltzmann's constant of friction and conduction: what has no noise is the limit k_B -> 0.
+double noise_boltzmann(SimulationSettings const& s) {
+  return s.noise ? 1 / s.K : 0;
+}
+
 double self_density(AnyKernel const& kernel, DensityCorrection const& correction) {
   double const W_0 = std::visit([](auto const& of) { return of.W(0.0); }, kernel); // with the scale
   return W_0 * (1 - correction.self / correction.scale);
+}
+
+AnyConduction conduction_of(SimulationSettings const& s) {
+  if (s.kappa == 0)
+    return std::monostate();
+  return SdpdConduction(s.kappa / s.units().conductivity(), noise_boltzmann(s));
 }
 
 std::unique_ptr<System> build(SimulationSettings const& s) {
@@ -64,7 +75,8 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
       .thermodynamics = make_thermodynamics(s.eos, units),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
-      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), 1 / s.K},
+      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
+      .conduction = conduction_of(s),
       .neighbours = Neighbours(box, h, skin_of(s), s.threads),
       .particles = {},
       .boltzmann = 1 / s.K,
@@ -76,7 +88,8 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
   });
   system->particles.resize(particle_count(s));
   place_on_lattice(system->particles, s);
-  draw_momenta(system->particles, system->boltzmann, s.seed);
+  if (s.noise)
+    draw_momenta(system->particles, system->boltzmann, s.seed);
   std::fill(system->particles.T.begin(), system->particles.T.end(), 1.0);
   return system;
 }
@@ -150,6 +163,9 @@ void check(SimulationSettings const& s) {
     require(n >= 1, "particles along an edge", n, "must be >= 1");
   auto const units = s.units();
   SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity());
+  require(s.kappa >= 0 && std::isfinite(s.kappa), "thermal conductivity kappa", s.kappa, "must be >= 0");
+  if (!s.noise && s.scheme.pairs == PairScheme::ems)
+    throw InputError("scheme ems without noise: there is nothing to put to a Metropolis test; take ssa");
   Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
   CellGrid(box, s.h_factor + skin_of(s));
 }
@@ -175,7 +191,8 @@ ReducedUnits SimulationSettings::units() const {
 }
 
 Simulation::Simulation(SimulationSettings const& settings)
-    : units_(settings.units()), dt_(settings.dt), scheme_(settings.scheme), system_(make_system(settings)) {}
+    : has_noise_(settings.noise), units_(settings.units()), dt_(settings.dt), scheme_(settings.scheme),
+      system_(make_system(settings)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -196,6 +213,9 @@ std::size_t Simulation::size() const {
 }
 PairCounts Simulation::pair_counts() const {
   return system_->pair_counts;
+}
+PairCounts Simulation::conduction_counts() const {
+  return system_->conduction_counts;
 }
 std::uint64_t Simulation::list_renewals() const {
   return system_->renewals;
@@ -255,9 +275,11 @@ double Simulation::heat_capacity() const {
 Checkpoint Simulation::checkpoint() const {
   auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
-  return {system_->step,       particles.id,  particles.q, {renewed.begin(), renewed.end()},
-          particles.p,         particles.eps, particles.T, system_->kept_energy,
-          system_->pair_counts};
+  return {system_->step,        particles.id,
+          particles.q,          {renewed.begin(), renewed.end()},
+          particles.p,          particles.eps,
+          particles.T,          system_->kept_energy,
+          system_->pair_counts, system_->conduction_counts};
 }
 
 void Simulation::restore(Checkpoint const& c) {
@@ -273,6 +295,7 @@ void Simulation::restore(Checkpoint const& c) {
   particles.q = c.q;
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
+  system_->conduction_counts = c.conduction_counts;
   find_pairs_and_densities(*system_);
   thermodynamics_from_temperature(*system_);
   find_forces(*system_);
@@ -290,6 +313,10 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
       continue;
     auto const mean = run_and_average(simulation, end - done, keep_going);
     done = end;
+    if (!simulation.has_noise()) { // nothing but heat is there to be set
+      simulation.heat(1 - mean.T_int);
+      continue;
+    }
     // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
     // each temperature fluctuate, cancels.
     double const kinetic_share =

@@ -28,6 +28,8 @@ struct SimulationSettings {
   double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
   double eta = 0;        ///< shear viscosity
   double zeta = 0;       ///< bulk viscosity, < 5 eta/3
+  double kappa = 0;      ///< thermal conductivity; 0: no heat conduction
+  bool noise = true;     ///< false: viscous smoothed particle hydrodynamics, which starts at rest
   double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from dt and K
   double dt = 0;         ///< time step, reduced, > 0
   Scheme scheme = {};
@@ -52,7 +54,7 @@ struct Checkpoint {
   std::vector<Vec3> q, q_at_renewal, p;
   std::vector<double> eps, T;
   double kept_energy = 0; ///< see Scheme::keep_energy
-  PairCounts pair_counts;
+  PairCounts pair_counts, conduction_counts;
 };
 
 /// Per-particle values in the order of the ids, reduced.
@@ -80,12 +82,14 @@ class Simulation {
   Observation observe() const;
   Snapshot snapshot() const;
   ReducedUnits const& units() const { return units_; }
+  bool has_noise() const { return has_noise_; }
   Box const& box() const;
   std::size_t size() const;
   double neighbours() const; ///< mean number per particle within the kernel's support
   std::uint64_t list_renewals() const;
   /// Steps of pairs since the start, and those that were not made.
   PairCounts pair_counts() const;
+  PairCounts conduction_counts() const; ///< the same of heat conduction
 
   /// Adds `heat` times its heat capacity to every particle's energy: the temperature rises by about `heat`
   /// (reduced).
@@ -103,6 +107,7 @@ class Simulation {
   void restore(Checkpoint const& checkpoint);
 
  private:
+  bool has_noise_;
   ReducedUnits units_;
   double dt_;
   Scheme scheme_;
@@ -112,7 +117,8 @@ class Simulation {
 /// Brings a fresh simulation to equilibrium at its set temperature: runs of growing length, after each of
 /// which the difference between the mean temperature of the run and the set one is taken out as heat. Ends
 /// with a microcanonical system whose mean temperature is the set one within the noise of the last run (half
-/// of all steps). `keep_going` is asked now and then; when it says no, Interrupted is thrown.
+/// of all steps). Without noise only the mean internal temperature is set. `keep_going` is asked now and
+/// then; when it says no, Interrupted is thrown.
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going);
 
 } // namespace mesobridge::sdpd

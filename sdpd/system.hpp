@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/neighbours.hpp"
+#include "sdpd/pair/heat_conduction.hpp"
 #include "sdpd/pair/list.hpp"
 #include "sdpd/pair_scheme.hpp"
 #include "sdpd/thermodynamics.hpp"
@@ -15,6 +16,7 @@ struct System {
   AnyKernel kernel;
   double self_density; ///< what a particle adds to its own density
   AnyPairLaw law;      ///< friction and noise
+  AnyConduction conduction;
   Neighbours neighbours;
   Particles particles;
   double boltzmann;
@@ -25,6 +27,7 @@ struct System {
   double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
   std::uint64_t renewals = 0;       ///< of the lists, since the start
   PairCounts pair_counts;           ///< since the start
+  PairCounts conduction_counts;     ///< the same of heat conduction
   double kept_energy = 0;           ///< the total energy that Scheme::keep_energy restores
   std::vector<double> block_virial; ///< its parts, kept so that no step allocates
   std::vector<double> energy_gain;  ///< of the particles since their caloric expansions began, during a sweep

@@ -21,6 +21,7 @@ struct ReducedUnits {
   double time() const { return length() * std::sqrt(mass() / energy()); }
   double velocity() const { return length() / time(); }
   double pressure() const { return energy() / (length() * length() * length()); }
+  double conductivity() const { return energy() / (length() * time() * temperature); }
   double viscosity() const { return pressure() * time(); }
   double specific_energy() const { return energy() / mass(); }
   double specific_entropy() const { return specific_energy() / temperature; }

@@ -13,4 +13,9 @@ inline SimulationSettings argon(double K, double dt) {
   return {.eos = fitting::material("argon").eos, .rho = 1150, .T = 1000, .K = K, .eta = 2e-3, .dt = dt};
 }
 
+inline SimulationSettings with_conduction(SimulationSettings settings, double kappa_reduced) {
+  settings.kappa = kappa_reduced * settings.units().conductivity();
+  return settings;
+}
+
 } // namespace mesobridge::sdpd

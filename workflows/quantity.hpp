@@ -5,7 +5,18 @@
 namespace mesobridge::workflows {
 
 /// What a quantity measures: it decides which units are allowed.
-enum class Dimension { mass, length, time, temperature, density, velocity, pressure, energy, viscosity };
+enum class Dimension {
+  mass,
+  length,
+  time,
+  temperature,
+  density,
+  velocity,
+  pressure,
+  energy,
+  viscosity,
+  conductivity
+};
 
 /// Reads "500 m/s" as a value in SI. Throws InputError that says what is wrong and which units are allowed;
 /// the message does not name the key, the caller does.

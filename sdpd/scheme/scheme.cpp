@@ -1,4 +1,5 @@
 #include "sdpd/scheme/scheme.hpp"
+#include "sdpd/step/conduction.hpp"
 #include "sdpd/step/conservative.hpp"
 #include "sdpd/step/fluctuation.hpp"
 #include <numeric>
@@ -42,8 +43,18 @@ void restore_energy(System& system) {
   });
 }
 
+/// Fluctuation and dissipation, then conduction; the other way round in the second half of a symmetric step.
 void fluctuation_step(System& system, Scheme const& scheme, double dt, bool second) {
+  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction);
+  if (conducts && second) {
+    conduct(system, scheme.pairs, dt, second);
+    thermodynamics_from_energy(system);
+  }
   fluctuate(system, scheme.pairs, dt, second);
+  if (conducts && !second) {
+    thermodynamics_from_energy(system);
+    conduct(system, scheme.pairs, dt, second);
+  }
   if (scheme.keep_energy)
     restore_energy(system);
   thermodynamics_from_energy(system);

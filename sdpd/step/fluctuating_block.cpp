@@ -140,6 +140,10 @@ void prepare_pairs(System const& system, Law const& law, BlockGeometry const& bl
 
 template void prepare_pairs(System const&, SdpdLaw const&, BlockGeometry const&, std::span<LocalPair const>,
                             NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, SdpdConduction const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
+template void prepare_pairs(System const&, DpdeConduction const&, BlockGeometry const&,
+                            std::span<LocalPair const>, NoiseSource const&, PairInputs&);
 template void prepare_pairs(System const&, DpdeLaw<Across::none> const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
 template void prepare_pairs(System const&, DpdeLaw<Across::own> const&, BlockGeometry const&,

@@ -86,8 +86,9 @@ using BlockOf = std::conditional_t<Law::has_energies, FluctuatingBlock, Momentum
 
 /// Calls f(weights) once, where weights(r, 1/r, a, b) are the PairWeights at distance r of two particles with
 /// the last quantities a and b of their rows; for lanes and for numbers.
-template <class F>
-void with_weights(System const& system, SdpdLaw const&, F const& f) {
+template <class Law, class F>
+requires std::is_same_v<Law, SdpdLaw> || std::is_same_v<Law, SdpdConduction>
+void with_weights(System const& system, Law const&, F const& f) {
   std::visit(
       [&](auto const& kernel) {
         f([&]<class X>(X const& r, X const& inverse_r, X const& a, X const& b) [[gnu::always_inline]] {

@@ -75,6 +75,9 @@ void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Place
 void check_together(Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_box(scene, places);
+  require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
+                   scene.scheme.noise,
+                   "must be \"on\" with scheme.name = \"ems\": a Metropolis test needs it");
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,

@@ -140,6 +140,10 @@ std::vector<SceneKey> const& scene_keys() {
           "transport", "zeta", [](Scene& s) { return &s.transport.zeta; },
           "bulk viscosity, less than 5 eta / 3")
           .quantity(Dimension::viscosity, not_negative),
+      Line(
+          "transport", "kappa", [](Scene& s) { return &s.transport.kappa; },
+          "thermal conductivity; 0: particles exchange heat by friction alone")
+          .quantity(Dimension::conductivity, not_negative),
 
       Line(
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
@@ -166,6 +170,11 @@ std::vector<SceneKey> const& scene_keys() {
           "scheme", "energy", [](Scene& s) { return &s.scheme.energy; },
           "free, or kept: what the time step loses is given back to the internal energies")
           .choices({"free", "kept"}),
+
+      Line(
+          "scheme", "noise", [](Scene& s) { return &s.scheme.noise; },
+          "on, or off: viscous smoothed particle hydrodynamics, which starts at rest")
+          .choices({"on", "off"}),
 
       Line(
           "run", "equilibrate", [](Scene& s) { return &s.run.equilibrate; }, "steps before the first sample")

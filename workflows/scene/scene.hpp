@@ -37,7 +37,7 @@ struct Scene {
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {
-    double eta = 0, zeta = 0;
+    double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;
   } transport;
   struct Scheme {
@@ -46,6 +46,7 @@ struct Scene {
     std::string splitting = "lie-trotter";
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
+    std::string noise = "on";
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {

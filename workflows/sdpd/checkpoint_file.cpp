@@ -22,6 +22,11 @@ sdpd::PairCounts pair_counts(std::vector<std::int64_t> const& stored) {
   return {.proposed = at(0), .out_of_domain = at(1), .metropolis = at(2)};
 }
 
+std::array<std::int64_t, 3> integers(sdpd::PairCounts const& counts) {
+  return {static_cast<std::int64_t>(counts.proposed), static_cast<std::int64_t>(counts.out_of_domain),
+          static_cast<std::int64_t>(counts.metropolis)};
+}
+
 } // namespace
 
 void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const& c,
@@ -39,10 +44,8 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
   store.write("eps", c.eps);
   store.write("T", c.T);
   store.write("kept_energy", std::span(&c.kept_energy, 1));
-  std::array const pair_counts{static_cast<std::int64_t>(c.pair_counts.proposed),
-                               static_cast<std::int64_t>(c.pair_counts.out_of_domain),
-                               static_cast<std::int64_t>(c.pair_counts.metropolis)};
-  store.write("pair_counts", pair_counts);
+  store.write("pair_counts", integers(c.pair_counts));
+  store.write("conduction_counts", integers(c.conduction_counts));
   write_provenance(store, provenance);
   store.write("scene", provenance.scene);
   store.close();
@@ -63,7 +66,8 @@ StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
                          .eps = store.read_doubles("eps"),
                          .T = store.read_doubles("T"),
                          .kept_energy = store.read_doubles("kept_energy").at(0),
-                         .pair_counts = pair_counts(store.read_integers("pair_counts"))},
+                         .pair_counts = pair_counts(store.read_integers("pair_counts")),
+                         .conduction_counts = pair_counts(store.read_integers("conduction_counts"))},
           .scene = store.read_text("scene")};
 }
 

@@ -162,6 +162,12 @@ class Run {
     return result;
   }
 
+  static void put_rejections(Json& json, std::string const& name, sdpd::PairCounts const& counts) {
+    double const proposed = static_cast<double>(std::max<std::uint64_t>(counts.proposed, 1));
+    json[name + "_out_of_domain"] = static_cast<double>(counts.out_of_domain) / proposed;
+    json[name + "_metropolis"] = static_cast<double>(counts.metropolis) / proposed;
+  }
+
   Json summary(RunResult const& result) const {
     auto const& e = result.equilibrium;
     auto in = [](cg::Estimate const& estimate, double unit) {
@@ -185,12 +191,9 @@ class Run {
     put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
     put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
         cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
-    auto const pairs = simulation_.pair_counts();
-    auto share = [&](std::uint64_t count) {
-      return static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(pairs.proposed, 1));
-    };
-    json["rejected_out_of_domain"] = share(pairs.out_of_domain);
-    json["rejected_metropolis"] = share(pairs.metropolis);
+    put_rejections(json, "rejected", simulation_.pair_counts());
+    if (settings_.kappa > 0)
+      put_rejections(json, "conduction_rejected", simulation_.conduction_counts());
     auto const p = simulation_.observe().momentum;
     json["momentum" + units_.momentum_key] = norm(p) * units_.momentum;
     return json;

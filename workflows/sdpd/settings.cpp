@@ -29,11 +29,12 @@ std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
 sdpd::PairScheme pair_scheme_of(std::string const& name) {
   return name == "ems"   ? sdpd::PairScheme::ems
          : name == "ams" ? sdpd::PairScheme::ams
+         : name == "ser" ? sdpd::PairScheme::ser
                          : sdpd::PairScheme::ssa;
 }
 
 sdpd::Scheme scheme_of(Scene const& scene) {
-  auto const& [name, dt, splitting, fluctuate_every, energy] = scene.scheme;
+  auto const& [name, dt, splitting, fluctuate_every, energy, noise] = scene.scheme;
   return {.pairs = pair_scheme_of(name),
           .verlet_steps = static_cast<std::uint32_t>(fluctuate_every),
           .splitting = splitting == "strang" ? sdpd::Splitting::strang : sdpd::Splitting::lie_trotter,
@@ -52,6 +53,8 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .h_factor = scene.particles.h_factor,
       .eta = scene.transport.eta,
       .zeta = scene.transport.zeta,
+      .kappa = scene.transport.kappa,
+      .noise = scene.scheme.noise == "on",
       .dt = scene.scheme.dt.value,
       .scheme = scheme_of(scene),
       .seed = static_cast<std::uint64_t>(scene.run.seed),

@@ -87,7 +87,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"argon_10_ems_strang_kept",
                            with_scheme(argon(10, 0.05), {.pairs = PairScheme::ems,
                                                          .splitting = Splitting::strang,
-                                                         .keep_energy = true})}),
+                                                         .keep_energy = true})},
+                      Case{"argon_100_that_conducts",
+                           with_conduction(with_scheme(argon(100, 0.05), {.pairs = PairScheme::ems,
+                                                                          .splitting = Splitting::strang}),
+                                           1.5)}),
     [](auto const& info) { return info.param.name; });
 
 System lj_system(double K) {

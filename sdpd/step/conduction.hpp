@@ -1,0 +1,24 @@
+#pragma once
+#include "sdpd/system.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Heat conduction over dt by system.conduction, if there is any (theory sheet, section 1), pair after pair
+/// in the order of the lists, each by the exact step of a pair (see SdpdConduction, DpdeConduction) at the
+/// temperatures that the pair has then. What one particle gains the other loses, so that energy is conserved
+/// to round-off; momenta and densities stay.
+///
+///   ssa, ser  every step is made. Throws PhysicsError when an energy leaves the equation of state.
+///   ams       a step that would lead an energy out of the equation of state is not made.
+///   ems       that, and a Metropolis test which makes the invariant measure exact at any dt: with the heat
+///             delta drawn as mean + s G, and mean', s' those of the step back from the proposed energies,
+///             accepted with probability min(1, e^a),
+///                 a = sum_k [(S_k' - S_k)/k_B - ln T_k' + ln T_k] + G^2/2 - (delta + mean')^2/2s'^2 + ln
+///                 s/s'.
+///             DPDE has no ln T.
+///
+/// Needs caloric expansions that begin at the energies (thermodynamics_from_energy), and leaves T behind
+/// them. `second` draws other random numbers: for the second sweep of a step.
+void conduct(System& system, PairScheme scheme, double dt, bool second = false);
+
+} // namespace mesobridge::sdpd

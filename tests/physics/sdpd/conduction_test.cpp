@@ -1,0 +1,167 @@
+#include "cg/estimate.hpp"
+#include "cg/kolmogorov_smirnov.hpp"
+#include "sdpd/scheme/scheme.hpp"
+#include "sdpd/step/conduction.hpp"
+#include "sdpd/step/conservative.hpp"
+#include "sdpd_fixtures.hpp"
+#include <gsl/gsl_cdf.h>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace mesobridge::sdpd {
+namespace {
+
+void conduct_for(System& system, PairScheme scheme, double dt, int steps) {
+  for (int k = 0; k < steps; ++k, ++system.step) {
+    conduct(system, scheme, dt);
+    thermodynamics_from_energy(system);
+  }
+}
+
+/// A bar whose halves have the temperatures 0.9 and 1.1; particles stay where they are.
+class TwoBodies {
+ public:
+  explicit TwoBodies(double kappa, double K) : kappa_(kappa) {
+    auto settings = with_conduction(ideal_gas(K, 0.1), kappa);
+    settings.lattice = {6, 6, 24}, settings.disorder = 0.2;
+    system_ = make_system(settings);
+    capacity_ = system_->thermodynamics->heat_capacity(1, 1);
+    for (std::size_t i = 0; i < system_->size(); ++i)
+      system_->particles.eps[i] *= z(i) < 0.5 ? 0.9 : 1.1;
+    thermodynamics_from_energy(*system_);
+  }
+
+  System& system() { return *system_; }
+  /// Decay rate of the longest wave by Fourier's law, kappa k^2/(rho C).
+  double rate() const {
+    double const k = 2 * std::numbers::pi / system_->box.edge.z;
+    return kappa_ * k * k / capacity_;
+  }
+  /// Amplitude of the longest wave.
+  double wave() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < system_->size(); ++i)
+      sum += system_->particles.T[i] * std::sin(2 * std::numbers::pi * z(i));
+    return sum;
+  }
+  double difference() const {
+    std::array<double, 2> sum{}, count{};
+    for (std::size_t i = 0; i < system_->size(); ++i)
+      sum[z(i) >= 0.5] += system_->particles.T[i], count[z(i) >= 0.5] += 1;
+    return sum[1] / count[1] - sum[0] / count[0];
+  }
+  /// The same by Fourier's law: the series of two bars in contact at both ends.
+  double difference_by_fourier(double time) const {
+    double sum = 0;
+    for (int n = 1; n < 100; n += 2)
+      sum += 8 / (std::numbers::pi * std::numbers::pi * n * n) * std::exp(-rate() * n * n * time);
+    return 0.2 * sum;
+  }
+
+ private:
+  double z(std::size_t i) const { return system_->box.wrap(system_->particles.q[i]).z / system_->box.edge.z; }
+  double kappa_, capacity_;
+  std::unique_ptr<System> system_;
+};
+
+// Fourier's law knows nothing of particles. Noise: with K = 1e7 the difference of the halves has the standard
+// deviation 2 (k_B/(C N))^(1/2) = 1.8e-5, the wave less than 1e-3 of itself.
+TEST(Conduction, BringsTwoBodiesTogetherAtTheRateOfFouriersLaw) {
+  TwoBodies bodies(1, 1e7);
+  double const dt = 0.1 / bodies.rate() / 20, wave = bodies.wave(), energy = total_energy(bodies.system());
+  EXPECT_NEAR(bodies.difference(), 0.2, 1e-12);
+  int compared = 0;
+  for (double time : {0.5, 1.0, 2.0}) {
+    double const wanted = time / bodies.rate();
+    conduct_for(bodies.system(), PairScheme::ssa, dt,
+                int(std::lround(wanted / dt)) - int(bodies.system().step));
+    double const measured = -std::log(bodies.wave() / wave) / wanted;
+    RecordProperty("rate_over_fouriers_" + std::to_string(compared),
+                   std::to_string(measured / bodies.rate()));
+    EXPECT_NEAR(measured / bodies.rate(), 1, 0.03); // kernel and disorder: the SPH error
+    EXPECT_NEAR(bodies.difference() / bodies.difference_by_fourier(wanted), 1, 0.04);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3);
+  EXPECT_NEAR(total_energy(bodies.system()) / energy, 1, 1e-14);
+}
+
+// A step thousands of times as long as a pair's relaxation.
+TEST(Conduction, IsStableAtAnyTimeStep) {
+  TwoBodies bodies(1, 100);
+  double const energy = total_energy(bodies.system());
+  conduct_for(bodies.system(), PairScheme::ssa, 1e6, 30);
+  EXPECT_NEAR(total_energy(bodies.system()) / energy, 1, 1e-13);
+  EXPECT_LT(std::abs(bodies.difference()), 5 * 2 * std::sqrt(0.01 / (1.5 * 864)));
+  double square = 0;
+  for (double const T : bodies.system().particles.T)
+    square += (T - 1) * (T - 1) / 864;
+  EXPECT_NEAR(square, 0.01 / 1.485, 5 * std::sqrt(2.0 / 864) * 0.01 / 1.485); // k_B/C
+}
+
+struct Case {
+  double K, dt;
+};
+class ConductionOfSmallParticles : public ::testing::TestWithParam<Case> {};
+
+// Conduction alone with the Metropolis test: energies follow Gamma(C_K/k_B, k_B T), C_K = (3/2)(K-1) k_B
+// (theory sheet, Eq. 4.8), at a time step at which most of a pair's difference is exchanged.
+TEST_P(ConductionOfSmallParticles, HasTheExactLawOfTheEnergies) {
+  auto const [K, dt] = GetParam();
+  auto settings = with_conduction(ideal_gas(K, dt), 5);
+  settings.disorder = 0.2;
+  auto const system = make_system(settings);
+  std::vector<double> energies;
+  conduct_for(*system, PairScheme::ems, dt, 20);
+  for (int k = 0; k < 40; ++k) {
+    conduct_for(*system, PairScheme::ems, dt, 4);
+    for (double const eps : system->particles.eps)
+      energies.push_back(eps * K);
+  }
+  double const shape = 1.5 * (K - 1);
+  ASSERT_EQ(energies.size(), 40000u);
+  auto law = [](double a, double scale) { return [=](double x) { return gsl_cdf_gamma_P(x, a, scale); }; };
+  EXPECT_GT(cg::kolmogorov_smirnov_p(energies, law(shape, 1)), 1e-3);
+  EXPECT_LT(cg::kolmogorov_smirnov_p(energies, law(shape + 1, shape / (shape + 1))), 1e-3); // without 1/T
+  auto const& counts = system->conduction_counts;
+  RecordProperty("rejected_by_metropolis",
+                 std::to_string(double(counts.metropolis) / double(counts.proposed)));
+  EXPECT_GT(counts.metropolis, 0u);
+  EXPECT_LT(double(counts.metropolis), 0.5 * double(counts.proposed));
+}
+
+// The same with everything on, by whole steps; and both temperatures agree.
+TEST_P(ConductionOfSmallParticles, LeavesTheEquilibriumOfTheWholeDynamicsAlone) {
+  auto settings = with_conduction(ideal_gas(GetParam().K, 0.1), 2);
+  settings.scheme = {.pairs = PairScheme::ems, .keep_energy = true};
+  Simulation simulation(settings);
+  equilibrate(simulation, 500, [] { return true; });
+  std::vector<double> energies, T_kin, T_int;
+  for (int k = 0; k < 15; ++k) {
+    for (int s = 0; s < 10; ++s) {
+      simulation.advance(4);
+      auto const now = simulation.observe();
+      T_kin.push_back(now.T_kin), T_int.push_back(now.T_int);
+    }
+    for (double const eps : simulation.snapshot().eps)
+      energies.push_back(eps * settings.K);
+  }
+  double const shape = 1.5 * (settings.K - 1);
+  ASSERT_EQ(energies.size(), 15000u);
+  EXPECT_GT(cg::kolmogorov_smirnov_p(energies, [&](double x) { return gsl_cdf_gamma_P(x, shape, 1); }), 1e-3);
+  EXPECT_LT(cg::kolmogorov_smirnov_p(energies, [&](double x) { return gsl_cdf_gamma_P(x, shape + 1.5, 1); }),
+            1e-3);
+  auto const kinetic = cg::estimate_mean(T_kin), internal = cg::estimate_mean(T_int);
+  double const se = std::hypot(kinetic.se, internal.se);
+  RecordProperty("T_kin_minus_T_int", std::to_string(kinetic.mean - internal.mean));
+  RecordProperty("se", std::to_string(se));
+  EXPECT_LT(std::abs(kinetic.mean - internal.mean), 4 * se);
+  EXPECT_LT(se, 0.01);
+  EXPECT_GT(simulation.conduction_counts().proposed, 1000000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, ConductionOfSmallParticles, ::testing::Values(Case{5, 0.3}, Case{10, 0.3}),
+                         [](auto const& info) { return "K" + std::to_string(int(info.param.K)); });
+
+} // namespace
+} // namespace mesobridge::sdpd
