@@ -25,7 +25,7 @@ class TwoBodies {
     auto settings = with_conduction(ideal_gas(K, 0.1), kappa);
     settings.lattice = {6, 6, 24};
     system_ = make_system(settings);
-    capacity_ = system_->thermodynamics->heat_capacity(1, 1);
+    capacity_ = system_->thermodynamics->heat_capacity(system_->particles, 0);
     for (std::size_t i = 0; i < system_->size(); ++i)
       system_->particles.eps[i] *= z(i) < 0.5 ? 0.9 : 1.1;
     thermodynamics_from_energy(*system_);
