@@ -54,26 +54,14 @@ struct NoiseSource {
                              static_cast<std::uint32_t>(stream)) {}
 };
 
-/// Pairs are served in groups of this many lanes, so that the compiler fills whole vector registers and the
-/// result of a pair never depends on its place in a loop.
-inline constexpr int noise_lanes = 16;
-
-/// Three standard Gaussian numbers for each lane, and 16 random bits that are independent of them.
-struct GaussianLanes {
-  alignas(64) std::array<float, noise_lanes> x, y, z;
-  alignas(64) std::array<std::uint32_t, noise_lanes> bits;
-};
-
 /// How many random bits come with the Gaussian numbers of a pair.
 inline constexpr int spare_bits = 16;
 
-/// Three standard Gaussian numbers for each of noise_lanes pairs of ids (Box-Muller on Philox4x32-10). Single
-/// precision is enough: the law is right to 1e-7, and what the noise drives conserves momentum and energy to
-/// double round-off all the same. The largest value is sqrt(2 ln 2^32) = 6.66.
-void gaussians(NoiseSource const& source, std::uint32_t const* id_a, std::uint32_t const* id_b,
-               GaussianLanes& out);
+/// The last eight bits of an angle are below single precision's reach: they serve elsewhere.
+inline constexpr std::uint32_t spare_of_turn = 0xff;
 
-/// The same numbers for one pair of ids, by the plain library functions: the reference for the fast one.
+/// Three standard Gaussian numbers for a pair of ids (Box and Muller's method on Philox4x32-10), and random
+/// bits that are independent of them, by the plain library functions: the reference for GaussianLanes.
 struct Gaussians {
   std::array<double, 3> G;
   std::uint32_t bits;

@@ -1,4 +1,6 @@
 #include "sdpd/step/fluctuating_block.hpp"
+#include "sdpd/random_lanes.hpp"
+#include <bit>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -21,41 +23,46 @@ void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Wei
   });
 }
 
-/// The smaller and the larger id of noise_lanes pairs, and the sign that turns the noise from the former to
-/// the latter.
-struct PairKeys {
-  alignas(64) std::array<std::uint32_t, noise_lanes> low, high;
-  alignas(64) std::array<float, noise_lanes> sign;
+/// ids[index] lane by lane.
+[[gnu::always_inline]] inline NoiseBits gather(std::uint32_t const* ids, NoiseBits const& index) {
+#ifdef __AVX512VL__
+  return reinterpret<NoiseBits>(_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff,
+                                                            reinterpret<__m512i>(index), ids, sizeof *ids));
+#else
+  NoiseBits found;
+  for (std::size_t l = 0; l < noise_lanes; ++l)
+    found[l] = ids[index[l]];
+  return found;
+#endif
+}
 
-  void set(LocalPair const* pairs, std::uint32_t const* ids) {
-    for (std::size_t lane = 0; lane < noise_lanes; ++lane) {
-      std::uint32_t const i = ids[pairs[lane].i], j = ids[pairs[lane].j];
-      low[lane] = std::min(i, j), high[lane] = std::max(i, j);
-      sign[lane] = i < j ? 1.0f : -1.0f;
-    }
-  }
-};
+/// The noise of sixteen pairs, pointing from the smaller to the larger id.
+[[gnu::always_inline]] inline void prepare_noise(std::uint32_t const* ids, LocalPair const* pairs,
+                                                 NoiseLanes const& source, PairInputs& inputs,
+                                                 std::size_t first) {
+  NoiseBits const places = load<NoiseBits>(pairs); // i in the lower half of each word, j in the upper one
+  NoiseBits const a = gather(ids, places & 0xffffu), b = gather(ids, places >> 16);
+  NoiseBits const low = a < b ? a : b, high = a < b ? b : a;
+  GaussianLanes const G(source, low, high);
+  NoiseFloats const plus = 1.0f - NoiseFloats{}, sign = a < b ? plus : -plus;
+  store(sign * G.x, &inputs.G_x[first]);
+  store(sign * G.y, &inputs.G_y[first]);
+  store(sign * G.z, &inputs.G_z[first]);
+  store(G.bits, &inputs.bits[first]);
+}
 
 void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair const> pairs,
-                   NoiseSource const& source, PairInputs& inputs) {
-  PairKeys keys;
-  GaussianLanes noise;
-  for (std::size_t first = 0; first < pairs.size(); first += noise_lanes) {
-    if (first + noise_lanes <= pairs.size())
-      keys.set(&pairs[first], ids.data());
-    else {
-      std::array<LocalPair, noise_lanes> last{};
-      std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), last.begin());
-      keys.set(last.data(), ids.data());
-    }
-    gaussians(source, keys.low.data(), keys.high.data(), noise);
-    for (std::size_t lane = 0; lane < noise_lanes; ++lane) {
-      inputs.G_x[first + lane] = keys.sign[lane] * noise.x[lane];
-      inputs.G_y[first + lane] = keys.sign[lane] * noise.y[lane];
-      inputs.G_z[first + lane] = keys.sign[lane] * noise.z[lane];
-      inputs.bits[first + lane] = noise.bits[lane];
-    }
-  }
+                   NoiseLanes const& source, PairInputs& inputs) {
+  static_assert(sizeof(NoiseBits) == noise_lanes * sizeof(LocalPair) &&
+                std::endian::native == std::endian::little);
+  std::size_t first = 0;
+  for (; first + noise_lanes <= pairs.size(); first += noise_lanes)
+    prepare_noise(ids.data(), &pairs[first], source, inputs, first);
+  if (first == pairs.size())
+    return;
+  std::array<LocalPair, noise_lanes> last{};
+  std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), last.begin());
+  prepare_noise(ids.data(), last.data(), source, inputs, first);
 }
 
 } // namespace
@@ -135,7 +142,7 @@ void prepare_pairs(System const& system, Law const& law, BlockGeometry const& bl
   with_weights(system, law, [&](auto const& weights) {
     prepare_directions<Law::across>(block.rows(), block.size(), weights, pairs, inputs);
   });
-  prepare_noise(block.ids(), pairs, source, inputs);
+  prepare_noise(block.ids(), pairs, NoiseLanes(source), inputs);
 }
 
 template void prepare_pairs(System const&, SdpdLaw const&, BlockGeometry const&, std::span<LocalPair const>,

@@ -1,5 +1,5 @@
 #include "sdpd/pair/sdpd_friction.hpp"
-#include "sdpd/random.hpp"
+#include "sdpd/random_lanes.hpp"
 #include "sdpd_fixtures.hpp"
 #include <benchmark/benchmark.h>
 
@@ -7,15 +7,14 @@ namespace mesobridge::sdpd {
 namespace {
 
 void gaussian_triples(benchmark::State& state) {
-  GaussianLanes lanes;
-  std::uint32_t a[noise_lanes], b[noise_lanes];
+  NoiseBits a{}, b{};
   for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
     a[lane] = lane, b[lane] = 1000 + lane;
-  NoiseSource const source(1, Stream::fluctuation, 7);
+  NoiseLanes const source(NoiseSource(1, Stream::fluctuation, 7));
   for (auto _ : state) {
-    gaussians(source, a, b, lanes);
-    benchmark::DoNotOptimize(lanes);
-    ++a[0];
+    GaussianLanes G(source, a, b);
+    benchmark::DoNotOptimize(G);
+    ++a;
   }
   state.SetItemsProcessed(state.iterations() * noise_lanes);
 }

@@ -1,5 +1,5 @@
 #include "cg/kolmogorov_smirnov.hpp"
-#include "sdpd/random.hpp"
+#include "sdpd/random_lanes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -19,14 +19,14 @@ TEST(Philox, GivesThePublishedKnownAnswers) {
 
 std::vector<double> many_gaussians(NoiseSource const& source, std::uint32_t pairs) {
   std::vector<double> values;
-  GaussianLanes lanes;
-  std::uint32_t a[noise_lanes], b[noise_lanes];
+  NoiseLanes const lanes(source);
+  NoiseBits a{}, b{};
   for (std::uint32_t first = 0; first < pairs; first += noise_lanes) {
     for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
       a[lane] = first + lane, b[lane] = 3 * (first + lane) + 1;
-    gaussians(source, a, b, lanes);
-    for (int lane = 0; lane < noise_lanes; ++lane)
-      values.insert(values.end(), {lanes.x[lane], lanes.y[lane], lanes.z[lane]});
+    GaussianLanes const G(lanes, a, b);
+    for (std::size_t lane = 0; lane < noise_lanes; ++lane)
+      values.insert(values.end(), {G.x[lane], G.y[lane], G.z[lane]});
   }
   return values;
 }
@@ -63,20 +63,20 @@ TEST(Gaussians, HaveTheMomentsAndTheLawOfAStandardGaussian) {
   EXPECT_LT(cg::kolmogorov_smirnov_p(g, [&](double x) { return cdf(x / 1.01); }), 1e-3); // 1 % too wide fails
 }
 
-TEST(Gaussians, DoNotDependOnTheLane) {
+TEST(Gaussians, AreTheReferenceInEveryLaneAndBringItsSpareBits) {
   NoiseSource const source(5, Stream::fluctuation, 77);
-  GaussianLanes together, alone;
-  std::uint32_t a[noise_lanes], b[noise_lanes];
+  NoiseLanes const lanes(source);
+  NoiseBits a{}, b{};
   for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
-    a[lane] = lane, b[lane] = lane + 1000;
-  gaussians(source, a, b, together);
-  for (int lane = 0; lane < noise_lanes; ++lane) {
-    std::uint32_t same_a[noise_lanes], same_b[noise_lanes];
-    std::fill_n(same_a, noise_lanes, a[lane]), std::fill_n(same_b, noise_lanes, b[lane]);
-    gaussians(source, same_a, same_b, alone);
-    EXPECT_EQ(alone.x[0], together.x[lane]);
-    EXPECT_EQ(alone.y[(lane + 5) % noise_lanes], together.y[lane]);
-    EXPECT_EQ(alone.z[noise_lanes - 1], together.z[lane]);
+    a[lane] = 4000000000u - lane, b[lane] = lane + 1000;
+  GaussianLanes const together(lanes, a, b);
+  for (std::size_t lane = 0; lane < noise_lanes; ++lane) {
+    GaussianLanes const alone(lanes, a[lane] - NoiseBits{}, b[lane] - NoiseBits{});
+    std::size_t const other = (lane + 5) % noise_lanes;
+    EXPECT_EQ(alone.x[other], together.x[lane]);
+    EXPECT_EQ(alone.y[other], together.y[lane]);
+    EXPECT_EQ(alone.z[other], together.z[lane]);
+    EXPECT_EQ(together.bits[lane], gaussians_and_bits_reference(source, a[lane], b[lane]).bits);
   }
 }
 

@@ -1,0 +1,175 @@
+#pragma once
+#include "sdpd/lanes.hpp"
+#include "sdpd/random.hpp"
+#include <limits>
+
+/// The noise of sixteen pairs at once, in the compiler's vector types.
+namespace mesobridge::sdpd {
+
+inline constexpr std::size_t noise_lanes = 16;
+
+using NoiseFloats [[gnu::vector_size(64)]] = float;
+using NoiseInts [[gnu::vector_size(64)]] = std::int32_t;
+using NoiseBits [[gnu::vector_size(64)]] = std::uint32_t;
+/// Eight words of 64 bits whose lower halves count: their products need no shuffling between lanes.
+using WideBits [[gnu::vector_size(64)]] = std::uint64_t;
+using HalfBits [[gnu::vector_size(32)]] = std::uint32_t;
+
+/// The same bits, read as another type.
+template <class To, class From>
+[[gnu::always_inline]] inline To reinterpret(From const& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  return load<To>(&from);
+}
+
+[[gnu::always_inline]] inline NoiseFloats square_root(NoiseFloats const& x) {
+#ifdef __AVX512VL__
+  return _mm512_maskz_sqrt_ps(0xffff, x);
+#else
+  NoiseFloats root;
+  for (std::size_t l = 0; l < noise_lanes; ++l)
+    root[l] = std::sqrt(x[l]);
+  return root;
+#endif
+}
+
+/// The product of the lower halves.
+[[gnu::always_inline]] inline WideBits product(WideBits const& a, std::uint32_t b) {
+  WideBits const factor = b - WideBits{};
+#ifdef __AVX512VL__
+  return reinterpret<WideBits>(
+      _mm512_maskz_mul_epu32(0xff, reinterpret<__m512i>(a), reinterpret<__m512i>(factor)));
+#else
+  return (a & 0xffffffffu) * factor;
+#endif
+}
+
+/// Counter and keys of a noise source as its sixteen lanes need them.
+class NoiseLanes {
+ public:
+  explicit NoiseLanes(NoiseSource const& source)
+      : step_low_(source.step_low), step_high_and_stream_(source.step_high_and_stream) {
+    auto [k0, k1] = source.key;
+    for (auto& key : keys_) {
+      key = {k0, k1};
+      k0 += Philox4x32::weyl_0, k1 += Philox4x32::weyl_1;
+    }
+  }
+
+  struct Word {
+    NoiseBits c0, c1, c2, c3;
+  };
+  /// Philox4x32-10 of the counters (a, b, step, stream).
+  [[gnu::always_inline]] Word generate(NoiseBits const& a, NoiseBits const& b) const {
+    Half low{widen<0>(a), widen<0>(b), step_low_ - WideBits{}, step_high_and_stream_ - WideBits{}};
+    Half high{widen<1>(a), widen<1>(b), low.x2, low.x3};
+    for (auto const& key : keys_) {
+      low.round(key);
+      high.round(key);
+    }
+    return {narrow(low.x0, high.x0), narrow(low.x1, high.x1), narrow(low.x2, high.x2),
+            narrow(low.x3, high.x3)};
+  }
+
+ private:
+  /// Eight of the lanes. The upper halves fill with rubbish that nothing reads.
+  struct Half {
+    WideBits x0, x1, x2, x3;
+
+    [[gnu::always_inline]] void round(std::array<std::uint64_t, 2> const& key) {
+      WideBits const a = product(x0, Philox4x32::multiplier_0), b = product(x2, Philox4x32::multiplier_1);
+      x0 = (b >> 32) ^ x1 ^ key[0];
+      x2 = (a >> 32) ^ x3 ^ key[1];
+      x1 = b;
+      x3 = a;
+    }
+  };
+
+  template <int half>
+  [[gnu::always_inline]] static WideBits widen(NoiseBits const& bits) {
+    if constexpr (half == 0)
+      return __builtin_convertvector(__builtin_shufflevector(bits, bits, 0, 1, 2, 3, 4, 5, 6, 7), WideBits);
+    else
+      return __builtin_convertvector(__builtin_shufflevector(bits, bits, 8, 9, 10, 11, 12, 13, 14, 15),
+                                     WideBits);
+  }
+  [[gnu::always_inline]] static NoiseBits narrow(WideBits const& low, WideBits const& high) {
+    return __builtin_shufflevector(__builtin_convertvector(low, HalfBits),
+                                   __builtin_convertvector(high, HalfBits), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                   11, 12, 13, 14, 15);
+  }
+
+  std::uint64_t step_low_, step_high_and_stream_;
+  std::array<std::array<std::uint64_t, 2>, Philox4x32::rounds> keys_;
+};
+
+/// ln(u) for 0 < u <= 1, relative error 1e-7: split u = m 2^e with m in [sqrt(1/2), sqrt(2)), then the
+/// polynomial of the Cephes library (S. Moshier) in m - 1.
+[[gnu::always_inline]] inline NoiseFloats log_unit(NoiseFloats const& u) {
+  constexpr std::int32_t one = 0x3f800000, root_half = 0x3f3504f3, mantissa = 0x007fffff;
+  // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
+  NoiseInts const shifted = reinterpret<NoiseInts>(u) + (one - root_half);
+  NoiseFloats const exponent = __builtin_convertvector((shifted >> 23) - 127, NoiseFloats);
+  NoiseFloats const x = reinterpret<NoiseFloats>((shifted & mantissa) + root_half) - 1.0f, z = x * x;
+  NoiseFloats p = x * 7.0376836292e-2f - 1.1514610310e-1f;
+  p = p * x + 1.1676998740e-1f;
+  p = p * x - 1.2420140846e-1f;
+  p = p * x + 1.4249322787e-1f;
+  p = p * x - 1.6668057665e-1f;
+  p = p * x + 2.0000714765e-1f;
+  p = p * x - 2.4999993993e-1f;
+  p = p * x + 3.3333331174e-1f;
+  NoiseFloats const y = x * z * p - 2.12194440e-4f * exponent - 0.5f * z;
+  return x + y + 0.693359375f * exponent;
+}
+
+/// sin(pi x) for |x| <= 1/2, relative error 1e-7: the polynomial of degree 9 that is nearest to it.
+[[gnu::always_inline]] inline NoiseFloats sine_of_half_turn(NoiseFloats const& x) {
+  NoiseFloats const z = x * x;
+  NoiseFloats p = z * 0.0775603876f - 0.598242104f;
+  p = z * p + 2.55006981f;
+  p = z * p - 5.16770983f;
+  p = z * p + 3.14159274f;
+  return x * p;
+}
+
+/// Three standard Gaussian numbers for each of sixteen pairs of ids, and random bits that are independent of
+/// them, by Box and Muller's method on Philox4x32-10. Single precision is enough: the law is right to 1e-7,
+/// and what the noise drives conserves momentum and energy to double round-off all the same. The largest
+/// value is sqrt(2 ln 2^32) = 6.66.
+struct GaussianLanes {
+  NoiseFloats x, y, z;
+  NoiseBits bits; ///< spare_bits of them
+
+  [[gnu::always_inline]] GaussianLanes(NoiseLanes const& source, NoiseBits const& id_a,
+                                       NoiseBits const& id_b) {
+    auto const [c0, c1, c2, c3] = source.generate(id_a, id_b);
+    NoiseFloats const radius_1 = radius(c0), radius_2 = radius(c2);
+    // The turns t in [-1, 1): cos(pi t) = sin(pi (1/2 - |t|)); sin(pi t) = sin(pi s) with s nearest to 0.
+    NoiseFloats const turn_1 = turn(c1), size_1 = magnitude(turn_1), size_2 = magnitude(turn(c3));
+    NoiseFloats const nearest = 0.5f - magnitude(size_1 - 0.5f);
+    NoiseInts const sign = reinterpret<NoiseInts>(turn_1) & sign_bit;
+    x = radius_1 * sine_of_half_turn(0.5f - size_1);
+    y = radius_1 * sine_of_half_turn(reinterpret<NoiseFloats>(reinterpret<NoiseInts>(nearest) | sign));
+    z = radius_2 * sine_of_half_turn(0.5f - size_2);
+    bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
+  }
+
+ private:
+  static constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+
+  /// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
+  [[gnu::always_inline]] static NoiseFloats radius(NoiseBits const& c) {
+    NoiseFloats const u =
+        (__builtin_convertvector(reinterpret<NoiseInts>(c >> 1), NoiseFloats) + 0.5f) * 0x1p-31f;
+    return square_root(-2.0f * log_unit(u));
+  }
+  [[gnu::always_inline]] static NoiseFloats turn(NoiseBits const& c) {
+    return __builtin_convertvector(reinterpret<NoiseInts>(c & ~spare_of_turn), NoiseFloats) * 0x1p-31f;
+  }
+  [[gnu::always_inline]] static NoiseFloats magnitude(NoiseFloats const& x) {
+    return reinterpret<NoiseFloats>(reinterpret<NoiseInts>(x) & ~sign_bit);
+  }
+};
+
+} // namespace mesobridge::sdpd
