@@ -1,11 +1,12 @@
 #include "sdpd/neighbours.hpp"
 #include "md/error.hpp"
-#include "sdpd/lanes.hpp"
 #include "sdpd/matchings.hpp"
+#include "sdpd/wide_lanes.hpp"
 #include <algorithm>
 #include <bit>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace mesobridge::sdpd {
@@ -20,37 +21,43 @@ void reorder(std::vector<T>& values, std::span<Index const> order, int threads) 
   values.swap(sorted);
 }
 
-/// The positions of a block's particles, place by place, with room for whole registers past the end.
+/// The positions of a block's particles as seen from the first, place by place, with room for whole registers
+/// past the end. Single precision does for candidates.
 struct LocalPositions {
-  std::vector<double> x, y, z;
+  std::vector<float> x, y, z;
 
   void copy(BlockMembers const& members, std::span<Vec3 const> q) {
-    std::size_t const room = size(members) + lane_count;
+    std::size_t const room = size(members) + wide_count;
     x.resize(room), y.resize(room), z.resize(room);
+    std::optional<Vec3> origin;
     std::size_t k = 0;
     for (auto const& cell : members)
       for (Index i = cell.begin; i < cell.end; ++i, ++k) {
-        Vec3 const moved = q[i] + cell.shift;
-        x[k] = moved.x, y[k] = moved.y, z[k] = moved.z;
+        Vec3 const image = q[i] + cell.shift;
+        origin = origin.value_or(image);
+        Vec3 const seen = image - *origin;
+        x[k] = static_cast<float>(seen.x), y[k] = static_cast<float>(seen.y),
+        z[k] = static_cast<float>(seen.z);
       }
   }
 };
 
 /// Appends the pairs of i with begin ... end-1 that are nearer than the reach.
-void append_near(LocalPositions const& at, std::size_t i, std::size_t begin, std::size_t end, double reach2,
+void append_near(LocalPositions const& at, std::size_t i, std::size_t begin, std::size_t end, float reach2,
                  std::vector<LocalPair>& found, std::size_t& count) {
-  if (found.size() < count + (end - begin) + lane_count)
-    found.resize(2 * (count + (end - begin) + lane_count));
-  Lanes const x = broadcast(at.x[i]), y = broadcast(at.y[i]), z = broadcast(at.z[i]);
-  std::array<LocalPair, lane_count> pairs;
-  for (std::size_t j = begin; j < end; j += lane_count) {
-    Lanes const dx = load<Lanes>(&at.x[j]) - x, dy = load<Lanes>(&at.y[j]) - y,
-                dz = load<Lanes>(&at.z[j]) - z;
-    unsigned const present = end - j < lane_count ? (1u << (end - j)) - 1 : 0xffu;
-    unsigned const bits = less(dx * dx + dy * dy + dz * dz, broadcast(reach2)) & present;
-    for (std::size_t l = 0; l < lane_count; ++l)
-      pairs[l] = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j + l)};
-    compress(bits, pairs.data(), &found[count]);
+  static_assert(sizeof(WideBits) == wide_count * sizeof(LocalPair) &&
+                std::endian::native == std::endian::little);
+  if (found.size() < count + (end - begin) + wide_count)
+    found.resize(2 * (count + (end - begin) + wide_count));
+  WideFloats const none{}, x = at.x[i] - none, y = at.y[i] - none, z = at.z[i] - none, reach = reach2 - none;
+  constexpr WideBits lanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  for (std::size_t j = begin; j < end; j += wide_count) {
+    WideFloats const dx = load<WideFloats>(&at.x[j]) - x, dy = load<WideFloats>(&at.y[j]) - y,
+                     dz = load<WideFloats>(&at.z[j]) - z;
+    unsigned const present = end - j < wide_count ? (1u << (end - j)) - 1 : 0xffffu;
+    unsigned const bits = less(dx * dx + dy * dy + dz * dz, reach) & present;
+    WideBits const pairs = ((lanes + static_cast<std::uint32_t>(j)) << 16) + static_cast<std::uint32_t>(i);
+    compress(bits, pairs, &found[count]);
     count += static_cast<std::size_t>(std::popcount(bits));
   }
 }
@@ -135,7 +142,9 @@ void Neighbours::find_candidates(std::size_t block, std::span<Vec3 const> q) {
   std::array<std::size_t, 9> begin{};
   for (std::size_t c = 0; c < 8; ++c)
     begin[c + 1] = begin[c] + (all[c].end - all[c].begin);
-  double const reach2 = (range_ + skin_) * (range_ + skin_);
+  // Wider by more than single precision errs within a block, which is a few reaches wide.
+  double const reach = (1 + 1e-5) * (range_ + skin_);
+  auto const reach2 = static_cast<float>(reach * reach);
   std::size_t count = 0;
   for (auto const& [a, b] : block_cell_pairs)
     for (std::size_t i = begin[a]; i < begin[a + 1]; ++i)

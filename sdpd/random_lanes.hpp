@@ -1,43 +1,20 @@
 #pragma once
-#include "sdpd/lanes.hpp"
 #include "sdpd/random.hpp"
+#include "sdpd/wide_lanes.hpp"
 #include <limits>
 
 /// The noise of sixteen pairs at once, in the compiler's vector types.
 namespace mesobridge::sdpd {
 
-inline constexpr std::size_t noise_lanes = 16;
-
-using NoiseFloats [[gnu::vector_size(64)]] = float;
-using NoiseInts [[gnu::vector_size(64)]] = std::int32_t;
-using NoiseBits [[gnu::vector_size(64)]] = std::uint32_t;
 /// Eight words of 64 bits whose lower halves count: their products need no shuffling between lanes.
-using WideBits [[gnu::vector_size(64)]] = std::uint64_t;
+using LongBits [[gnu::vector_size(64)]] = std::uint64_t;
 using HalfBits [[gnu::vector_size(32)]] = std::uint32_t;
 
-/// The same bits, read as another type.
-template <class To, class From>
-[[gnu::always_inline]] inline To reinterpret(From const& from) {
-  static_assert(sizeof(To) == sizeof(From));
-  return load<To>(&from);
-}
-
-[[gnu::always_inline]] inline NoiseFloats square_root(NoiseFloats const& x) {
-#ifdef __AVX512VL__
-  return _mm512_maskz_sqrt_ps(0xffff, x);
-#else
-  NoiseFloats root;
-  for (std::size_t l = 0; l < noise_lanes; ++l)
-    root[l] = std::sqrt(x[l]);
-  return root;
-#endif
-}
-
 /// The product of the lower halves.
-[[gnu::always_inline]] inline WideBits product(WideBits const& a, std::uint32_t b) {
-  WideBits const factor = b - WideBits{};
+[[gnu::always_inline]] inline LongBits product(LongBits const& a, std::uint32_t b) {
+  LongBits const factor = b - LongBits{};
 #ifdef __AVX512VL__
-  return reinterpret<WideBits>(
+  return reinterpret<LongBits>(
       _mm512_maskz_mul_epu32(0xff, reinterpret<__m512i>(a), reinterpret<__m512i>(factor)));
 #else
   return (a & 0xffffffffu) * factor;
@@ -57,11 +34,11 @@ class NoiseLanes {
   }
 
   struct Word {
-    NoiseBits c0, c1, c2, c3;
+    WideBits c0, c1, c2, c3;
   };
   /// Philox4x32-10 of the counters (a, b, step, stream).
-  [[gnu::always_inline]] Word generate(NoiseBits const& a, NoiseBits const& b) const {
-    Half low{widen<0>(a), widen<0>(b), step_low_ - WideBits{}, step_high_and_stream_ - WideBits{}};
+  [[gnu::always_inline]] Word generate(WideBits const& a, WideBits const& b) const {
+    Half low{widen<0>(a), widen<0>(b), step_low_ - LongBits{}, step_high_and_stream_ - LongBits{}};
     Half high{widen<1>(a), widen<1>(b), low.x2, low.x3};
     for (auto const& key : keys_) {
       low.round(key);
@@ -74,10 +51,10 @@ class NoiseLanes {
  private:
   /// Eight of the lanes. The upper halves fill with rubbish that nothing reads.
   struct Half {
-    WideBits x0, x1, x2, x3;
+    LongBits x0, x1, x2, x3;
 
     [[gnu::always_inline]] void round(std::array<std::uint64_t, 2> const& key) {
-      WideBits const a = product(x0, Philox4x32::multiplier_0), b = product(x2, Philox4x32::multiplier_1);
+      LongBits const a = product(x0, Philox4x32::multiplier_0), b = product(x2, Philox4x32::multiplier_1);
       x0 = (b >> 32) ^ x1 ^ key[0];
       x2 = (a >> 32) ^ x3 ^ key[1];
       x1 = b;
@@ -86,14 +63,14 @@ class NoiseLanes {
   };
 
   template <int half>
-  [[gnu::always_inline]] static WideBits widen(NoiseBits const& bits) {
+  [[gnu::always_inline]] static LongBits widen(WideBits const& bits) {
     if constexpr (half == 0)
-      return __builtin_convertvector(__builtin_shufflevector(bits, bits, 0, 1, 2, 3, 4, 5, 6, 7), WideBits);
+      return __builtin_convertvector(__builtin_shufflevector(bits, bits, 0, 1, 2, 3, 4, 5, 6, 7), LongBits);
     else
       return __builtin_convertvector(__builtin_shufflevector(bits, bits, 8, 9, 10, 11, 12, 13, 14, 15),
-                                     WideBits);
+                                     LongBits);
   }
-  [[gnu::always_inline]] static NoiseBits narrow(WideBits const& low, WideBits const& high) {
+  [[gnu::always_inline]] static WideBits narrow(LongBits const& low, LongBits const& high) {
     return __builtin_shufflevector(__builtin_convertvector(low, HalfBits),
                                    __builtin_convertvector(high, HalfBits), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
                                    11, 12, 13, 14, 15);
@@ -105,13 +82,13 @@ class NoiseLanes {
 
 /// ln(u) for 0 < u <= 1, relative error 1e-7: split u = m 2^e with m in [sqrt(1/2), sqrt(2)), then the
 /// polynomial of the Cephes library (S. Moshier) in m - 1.
-[[gnu::always_inline]] inline NoiseFloats log_unit(NoiseFloats const& u) {
+[[gnu::always_inline]] inline WideFloats log_unit(WideFloats const& u) {
   constexpr std::int32_t one = 0x3f800000, root_half = 0x3f3504f3, mantissa = 0x007fffff;
   // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
-  NoiseInts const shifted = reinterpret<NoiseInts>(u) + (one - root_half);
-  NoiseFloats const exponent = __builtin_convertvector((shifted >> 23) - 127, NoiseFloats);
-  NoiseFloats const x = reinterpret<NoiseFloats>((shifted & mantissa) + root_half) - 1.0f, z = x * x;
-  NoiseFloats p = x * 7.0376836292e-2f - 1.1514610310e-1f;
+  WideInts const shifted = reinterpret<WideInts>(u) + (one - root_half);
+  WideFloats const exponent = __builtin_convertvector((shifted >> 23) - 127, WideFloats);
+  WideFloats const x = reinterpret<WideFloats>((shifted & mantissa) + root_half) - 1.0f, z = x * x;
+  WideFloats p = x * 7.0376836292e-2f - 1.1514610310e-1f;
   p = p * x + 1.1676998740e-1f;
   p = p * x - 1.2420140846e-1f;
   p = p * x + 1.4249322787e-1f;
@@ -119,14 +96,14 @@ class NoiseLanes {
   p = p * x + 2.0000714765e-1f;
   p = p * x - 2.4999993993e-1f;
   p = p * x + 3.3333331174e-1f;
-  NoiseFloats const y = x * z * p - 2.12194440e-4f * exponent - 0.5f * z;
+  WideFloats const y = x * z * p - 2.12194440e-4f * exponent - 0.5f * z;
   return x + y + 0.693359375f * exponent;
 }
 
 /// sin(pi x) for |x| <= 1/2, relative error 1e-7: the polynomial of degree 9 that is nearest to it.
-[[gnu::always_inline]] inline NoiseFloats sine_of_half_turn(NoiseFloats const& x) {
-  NoiseFloats const z = x * x;
-  NoiseFloats p = z * 0.0775603876f - 0.598242104f;
+[[gnu::always_inline]] inline WideFloats sine_of_half_turn(WideFloats const& x) {
+  WideFloats const z = x * x;
+  WideFloats p = z * 0.0775603876f - 0.598242104f;
   p = z * p + 2.55006981f;
   p = z * p - 5.16770983f;
   p = z * p + 3.14159274f;
@@ -138,19 +115,18 @@ class NoiseLanes {
 /// and what the noise drives conserves momentum and energy to double round-off all the same. The largest
 /// value is sqrt(2 ln 2^32) = 6.66.
 struct GaussianLanes {
-  NoiseFloats x, y, z;
-  NoiseBits bits; ///< spare_bits of them
+  WideFloats x, y, z;
+  WideBits bits; ///< spare_bits of them
 
-  [[gnu::always_inline]] GaussianLanes(NoiseLanes const& source, NoiseBits const& id_a,
-                                       NoiseBits const& id_b) {
+  [[gnu::always_inline]] GaussianLanes(NoiseLanes const& source, WideBits const& id_a, WideBits const& id_b) {
     auto const [c0, c1, c2, c3] = source.generate(id_a, id_b);
-    NoiseFloats const radius_1 = radius(c0), radius_2 = radius(c2);
+    WideFloats const radius_1 = radius(c0), radius_2 = radius(c2);
     // The turns t in [-1, 1): cos(pi t) = sin(pi (1/2 - |t|)); sin(pi t) = sin(pi s) with s nearest to 0.
-    NoiseFloats const turn_1 = turn(c1), size_1 = magnitude(turn_1), size_2 = magnitude(turn(c3));
-    NoiseFloats const nearest = 0.5f - magnitude(size_1 - 0.5f);
-    NoiseInts const sign = reinterpret<NoiseInts>(turn_1) & sign_bit;
+    WideFloats const turn_1 = turn(c1), size_1 = magnitude(turn_1), size_2 = magnitude(turn(c3));
+    WideFloats const nearest = 0.5f - magnitude(size_1 - 0.5f);
+    WideInts const sign = reinterpret<WideInts>(turn_1) & sign_bit;
     x = radius_1 * sine_of_half_turn(0.5f - size_1);
-    y = radius_1 * sine_of_half_turn(reinterpret<NoiseFloats>(reinterpret<NoiseInts>(nearest) | sign));
+    y = radius_1 * sine_of_half_turn(reinterpret<WideFloats>(reinterpret<WideInts>(nearest) | sign));
     z = radius_2 * sine_of_half_turn(0.5f - size_2);
     bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
   }
@@ -159,16 +135,16 @@ struct GaussianLanes {
   static constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
 
   /// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
-  [[gnu::always_inline]] static NoiseFloats radius(NoiseBits const& c) {
-    NoiseFloats const u =
-        (__builtin_convertvector(reinterpret<NoiseInts>(c >> 1), NoiseFloats) + 0.5f) * 0x1p-31f;
+  [[gnu::always_inline]] static WideFloats radius(WideBits const& c) {
+    WideFloats const u =
+        (__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f) * 0x1p-31f;
     return square_root(-2.0f * log_unit(u));
   }
-  [[gnu::always_inline]] static NoiseFloats turn(NoiseBits const& c) {
-    return __builtin_convertvector(reinterpret<NoiseInts>(c & ~spare_of_turn), NoiseFloats) * 0x1p-31f;
+  [[gnu::always_inline]] static WideFloats turn(WideBits const& c) {
+    return __builtin_convertvector(reinterpret<WideInts>(c & ~spare_of_turn), WideFloats) * 0x1p-31f;
   }
-  [[gnu::always_inline]] static NoiseFloats magnitude(NoiseFloats const& x) {
-    return reinterpret<NoiseFloats>(reinterpret<NoiseInts>(x) & ~sign_bit);
+  [[gnu::always_inline]] static WideFloats magnitude(WideFloats const& x) {
+    return reinterpret<WideFloats>(reinterpret<WideInts>(x) & ~sign_bit);
   }
 };
 

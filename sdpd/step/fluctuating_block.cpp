@@ -23,28 +23,15 @@ void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Wei
   });
 }
 
-/// ids[index] lane by lane.
-[[gnu::always_inline]] inline NoiseBits gather(std::uint32_t const* ids, NoiseBits const& index) {
-#ifdef __AVX512VL__
-  return reinterpret<NoiseBits>(_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff,
-                                                            reinterpret<__m512i>(index), ids, sizeof *ids));
-#else
-  NoiseBits found;
-  for (std::size_t l = 0; l < noise_lanes; ++l)
-    found[l] = ids[index[l]];
-  return found;
-#endif
-}
-
 /// The noise of sixteen pairs, pointing from the smaller to the larger id.
 [[gnu::always_inline]] inline void prepare_noise(std::uint32_t const* ids, LocalPair const* pairs,
                                                  NoiseLanes const& source, PairInputs& inputs,
                                                  std::size_t first) {
-  NoiseBits const places = load<NoiseBits>(pairs); // i in the lower half of each word, j in the upper one
-  NoiseBits const a = gather(ids, places & 0xffffu), b = gather(ids, places >> 16);
-  NoiseBits const low = a < b ? a : b, high = a < b ? b : a;
+  WideBits const places = load<WideBits>(pairs); // i in the lower half of each word, j in the upper one
+  WideBits const a = gather(ids, places & 0xffffu), b = gather(ids, places >> 16);
+  WideBits const low = a < b ? a : b, high = a < b ? b : a;
   GaussianLanes const G(source, low, high);
-  NoiseFloats const plus = 1.0f - NoiseFloats{}, sign = a < b ? plus : -plus;
+  WideFloats const plus = 1.0f - WideFloats{}, sign = a < b ? plus : -plus;
   store(sign * G.x, &inputs.G_x[first]);
   store(sign * G.y, &inputs.G_y[first]);
   store(sign * G.z, &inputs.G_z[first]);
@@ -53,14 +40,14 @@ void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Wei
 
 void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair const> pairs,
                    NoiseLanes const& source, PairInputs& inputs) {
-  static_assert(sizeof(NoiseBits) == noise_lanes * sizeof(LocalPair) &&
+  static_assert(sizeof(WideBits) == wide_count * sizeof(LocalPair) &&
                 std::endian::native == std::endian::little);
   std::size_t first = 0;
-  for (; first + noise_lanes <= pairs.size(); first += noise_lanes)
+  for (; first + wide_count <= pairs.size(); first += wide_count)
     prepare_noise(ids.data(), &pairs[first], source, inputs, first);
   if (first == pairs.size())
     return;
-  std::array<LocalPair, noise_lanes> last{};
+  std::array<LocalPair, wide_count> last{};
   std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), last.begin());
   prepare_noise(ids.data(), last.data(), source, inputs, first);
 }
@@ -138,7 +125,7 @@ void MomentumBlock::copy_out(System& system) const {
 template <class Law>
 void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs) {
-  inputs.resize(pairs.size() + noise_lanes, Law::across);
+  inputs.resize(pairs.size() + wide_count, Law::across);
   with_weights(system, law, [&](auto const& weights) {
     prepare_directions<Law::across>(block.rows(), block.size(), weights, pairs, inputs);
   });

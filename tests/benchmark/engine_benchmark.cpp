@@ -7,8 +7,8 @@ namespace mesobridge::sdpd {
 namespace {
 
 void gaussian_triples(benchmark::State& state) {
-  NoiseBits a{}, b{};
-  for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+  WideBits a{}, b{};
+  for (std::uint32_t lane = 0; lane < wide_count; ++lane)
     a[lane] = lane, b[lane] = 1000 + lane;
   NoiseLanes const source(NoiseSource(1, Stream::fluctuation, 7));
   for (auto _ : state) {
@@ -16,7 +16,7 @@ void gaussian_triples(benchmark::State& state) {
     benchmark::DoNotOptimize(G);
     ++a;
   }
-  state.SetItemsProcessed(state.iterations() * noise_lanes);
+  state.SetItemsProcessed(state.iterations() * wide_count);
 }
 BENCHMARK(gaussian_triples);
 

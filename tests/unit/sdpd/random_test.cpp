@@ -20,12 +20,12 @@ TEST(Philox, GivesThePublishedKnownAnswers) {
 std::vector<double> many_gaussians(NoiseSource const& source, std::uint32_t pairs) {
   std::vector<double> values;
   NoiseLanes const lanes(source);
-  NoiseBits a{}, b{};
-  for (std::uint32_t first = 0; first < pairs; first += noise_lanes) {
-    for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+  WideBits a{}, b{};
+  for (std::uint32_t first = 0; first < pairs; first += wide_count) {
+    for (std::uint32_t lane = 0; lane < wide_count; ++lane)
       a[lane] = first + lane, b[lane] = 3 * (first + lane) + 1;
     GaussianLanes const G(lanes, a, b);
-    for (std::size_t lane = 0; lane < noise_lanes; ++lane)
+    for (std::size_t lane = 0; lane < wide_count; ++lane)
       values.insert(values.end(), {G.x[lane], G.y[lane], G.z[lane]});
   }
   return values;
@@ -66,13 +66,13 @@ TEST(Gaussians, HaveTheMomentsAndTheLawOfAStandardGaussian) {
 TEST(Gaussians, AreTheReferenceInEveryLaneAndBringItsSpareBits) {
   NoiseSource const source(5, Stream::fluctuation, 77);
   NoiseLanes const lanes(source);
-  NoiseBits a{}, b{};
-  for (std::uint32_t lane = 0; lane < noise_lanes; ++lane)
+  WideBits a{}, b{};
+  for (std::uint32_t lane = 0; lane < wide_count; ++lane)
     a[lane] = 4000000000u - lane, b[lane] = lane + 1000;
   GaussianLanes const together(lanes, a, b);
-  for (std::size_t lane = 0; lane < noise_lanes; ++lane) {
-    GaussianLanes const alone(lanes, a[lane] - NoiseBits{}, b[lane] - NoiseBits{});
-    std::size_t const other = (lane + 5) % noise_lanes;
+  for (std::size_t lane = 0; lane < wide_count; ++lane) {
+    GaussianLanes const alone(lanes, a[lane] - WideBits{}, b[lane] - WideBits{});
+    std::size_t const other = (lane + 5) % wide_count;
     EXPECT_EQ(alone.x[other], together.x[lane]);
     EXPECT_EQ(alone.y[other], together.y[lane]);
     EXPECT_EQ(alone.z[other], together.z[lane]);
