@@ -187,8 +187,22 @@ std::vector<SceneKey> const& scene_keys() {
           "run", "sample_every", [](Scene& s) { return &s.run.sample_every; }, "steps between samples")
           .in(at_least_one),
       Line(
+          "run", "instant_every", [](Scene& s) { return &s.run.instant_every; },
+          "steps between the instants whose particles' energies, densities and pressures make the "
+          "distributions; "
+          "0: 40 instants")
+          .in(not_negative),
+      Line(
           "run", "trajectory_every", [](Scene& s) { return &s.run.trajectory_every; },
-          "steps between trajectory frames; 0: none")
+          "steps between frames of trajectory.h5 (H5MD, for MDAnalysis and VMD); 0: none")
+          .in(not_negative),
+      Line(
+          "run", "vtkhdf_every", [](Scene& s) { return &s.run.vtkhdf_every; },
+          "steps between frames of trajectory.vtkhdf (for ParaView 5.12 and later); 0: none")
+          .in(not_negative),
+      Line(
+          "run", "xyz_every", [](Scene& s) { return &s.run.xyz_every; },
+          "steps between frames of trajectory.xyz (extended XYZ, for OVITO and ASE); 0: none")
           .in(not_negative),
       Line(
           "run", "checkpoint_every", [](Scene& s) { return &s.run.checkpoint_every; },

@@ -50,7 +50,8 @@ struct Scene {
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {
-    std::int64_t equilibrate = 0, steps = 0, sample_every = 10, trajectory_every = 0, checkpoint_every = 1000;
+    std::int64_t equilibrate = 0, steps = 0, sample_every = 10, instant_every = 0, trajectory_every = 0,
+                 vtkhdf_every = 0, xyz_every = 0, checkpoint_every = 1000;
     std::int64_t seed = 1;
     bool operator==(Run const&) const = default;
   } run;

@@ -1,7 +1,7 @@
 #include "workflows/sdpd/run_scene.hpp"
-#include "workflows/h5md.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/run_file.hpp"
+#include "workflows/sdpd/trajectories.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <chrono>
@@ -10,7 +10,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-/// Instants at which the particles are looked at one by one, over a whole run.
+/// Instants at which the particles are looked at one by one over a whole run, if the scene does not say.
 constexpr std::int64_t instants = 40;
 
 /// One scene on its way from the first step to the files.
@@ -21,7 +21,8 @@ class Run {
         simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
                                                               resolved_toml(scene), inputs(scene)},
-        every_instant_(std::max<std::int64_t>(1, scene.run.steps / instants)) {}
+        every_instant_(scene.run.instant_every > 0 ? scene.run.instant_every
+                                                   : std::max<std::int64_t>(1, scene.run.steps / instants)) {}
 
   RunResult carry_out() {
     require(scene_.run.steps >= 32 * scene_.run.sample_every, "run.steps", scene_.run.steps,
@@ -53,19 +54,13 @@ class Run {
   }
 
   std::filesystem::path file(char const* name) const { return options_.directory / name; }
-  bool draws_trajectory() const { return scene_.run.trajectory_every > 0; }
-  H5mdWriter::Units trajectory_units() const {
-    return scene_.units == UnitSystem::SI ? H5mdWriter::Units::si() : H5mdWriter::Units::reduced();
-  }
-
   void start() {
     write_text_file(file("scene.toml"), provenance_.scene);
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
       return options_.keep_going(static_cast<std::uint64_t>(simulation_.observe().step));
     });
     run_file_.emplace(file("run.h5"), units_, provenance_);
-    if (draws_trajectory())
-      trajectory_.emplace(file("trajectory.h5"), trajectory_units(), provenance_);
+    trajectories_.emplace(scene_, options_.directory, provenance_, false);
     record();
   }
 
@@ -78,19 +73,15 @@ class Run {
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
     run_file_.emplace(RunFile::continue_file(file("run.h5"), units_));
-    if (draws_trajectory()) {
-      trajectory_.emplace(H5mdWriter::continue_file(file("trajectory.h5"), trajectory_units()));
-      last_frame_ = trajectory_->last_step();
-    }
+    trajectories_.emplace(scene_, options_.directory, provenance_, true);
   }
 
   std::int64_t steps_to_next_event() const {
     std::int64_t steps = scene_.run.steps - done_;
-    for (std::int64_t const every :
-         {scene_.run.sample_every, every_instant_, scene_.run.trajectory_every, scene_.run.checkpoint_every})
+    for (std::int64_t const every : {scene_.run.sample_every, every_instant_, scene_.run.checkpoint_every})
       if (every > 0)
         steps = std::min(steps, every - done_ % every);
-    return steps;
+    return trajectories_->steps_to_next(done_, steps);
   }
 
   void advance(std::int64_t steps) {
@@ -108,26 +99,9 @@ class Run {
       auto const now = simulation_.snapshot();
       run_file_->append(now, sdpd::moments(now), simulation_.observe().step);
     }
-    if (due(scene_.run.trajectory_every))
-      write_frame(time);
+    trajectories_->record(done_, simulation_, units_, settings_.dt);
     if (done_ > 0 && due(scene_.run.checkpoint_every))
       checkpoint();
-  }
-
-  void write_frame(double time) {
-    auto const step = static_cast<std::int64_t>(simulation_.observe().step);
-    if (step <= last_frame_)
-      return;
-    auto now = simulation_.snapshot();
-    double const length = simulation_.units().length(), velocity = simulation_.units().velocity();
-    for (std::size_t i = 0; i < now.q.size(); ++i)
-      now.q[i] *= length, now.p[i] *= velocity;
-    trajectory_->append({.step = step,
-                         .time = time * units_.time,
-                         .box = Box{simulation_.box().edge * length},
-                         .positions = now.q,
-                         .velocities = now.p});
-    last_frame_ = step;
   }
 
   void checkpoint() { write_checkpoint(file("checkpoint.h5"), simulation_.checkpoint(), provenance_); }
@@ -157,8 +131,7 @@ class Run {
     result.summary = summary(result);
     write_summary(file("summary.json"), result.summary);
     run_file_->close();
-    if (trajectory_)
-      trajectory_->close();
+    trajectories_->close();
     return result;
   }
 
@@ -207,9 +180,8 @@ class Run {
   Provenance provenance_;
   std::int64_t every_instant_;
   std::optional<RunFile> run_file_;
-  std::optional<H5mdWriter> trajectory_;
+  std::optional<Trajectories> trajectories_;
   std::int64_t done_ = 0; ///< of the sampled steps
-  std::int64_t last_frame_ = -1;
 };
 
 } // namespace

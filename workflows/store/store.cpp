@@ -29,6 +29,9 @@ void Store::write(std::string const& path, std::span<double const> values, Shape
 void Store::write(std::string const& path, std::span<std::int64_t const> values, Shape const& shape) {
   implementation_->write(path, values, shape);
 }
+void Store::write(std::string const& path, std::span<std::uint8_t const> values) {
+  implementation_->write(path, values, {});
+}
 void Store::write(std::string const& path, std::string const& text) {
   auto const type = text_type(text.size());
   Hdf5Handle const space(H5Screate(H5S_SCALAR), H5Sclose);
@@ -106,6 +109,12 @@ void Store::set_attribute(std::string const& object, std::string const& name,
     data.push_back(text.c_str());
   implementation_->set_attribute(object, name, attribute_text_type().get(), simple_space({texts.size()}),
                                  data.data());
+}
+
+void Store::set_ascii_attribute(std::string const& object, std::string const& name, std::string const& text) {
+  auto const type = text_type(text.size());
+  H5Tset_cset(type.get(), H5T_CSET_ASCII);
+  implementation_->set_attribute(object, name, type.get(), {H5Screate(H5S_SCALAR), H5Sclose}, text.data());
 }
 
 double Store::read_double_attribute(std::string const& object, std::string const& name) const {

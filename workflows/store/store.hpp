@@ -28,6 +28,7 @@ class Store {
   /// Writes a dataset whole; an empty shape stands for one dimension.
   void write(std::string const& path, std::span<double const> values, Shape const& shape = {});
   void write(std::string const& path, std::span<std::int64_t const> values, Shape const& shape = {});
+  void write(std::string const& path, std::span<std::uint8_t const> values);
   void write(std::string const& path, std::string const& text);
 
   /// Appends one row (or several, when there are more values than one row holds) to a dataset which grows
@@ -49,6 +50,8 @@ class Store {
                      std::span<std::int64_t const> values);
   void set_attribute(std::string const& object, std::string const& name, std::string const& text);
   void set_attribute(std::string const& object, std::string const& name, std::span<std::string const> texts);
+  /// As ASCII characters of fixed length, which VTK wants; read_text_attribute does not read it.
+  void set_ascii_attribute(std::string const& object, std::string const& name, std::string const& text);
   double read_double_attribute(std::string const& object, std::string const& name) const;
   std::int64_t read_integer_attribute(std::string const& object, std::string const& name) const;
   std::string read_text_attribute(std::string const& object, std::string const& name) const;

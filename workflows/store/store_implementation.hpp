@@ -19,6 +19,11 @@ inline hid_t memory_type<std::int64_t>() {
   return H5T_NATIVE_INT64;
 }
 
+template <>
+inline hid_t memory_type<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
 inline std::size_t product(Store::Shape const& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }

@@ -23,9 +23,9 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
   std::vector<std::string> words{
       MESOBRIDGE_PROGRAM, "run",    MESOBRIDGE_SOURCE_DIR "/workflows/scenes/argon-1000K.toml", "-o",
       directory.string(), "--quiet"};
-  for (char const* set :
-       {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
-        "run.trajectory_every=100", "run.checkpoint_every=150"})
+  for (char const* set : {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
+                          "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200",
+                          "run.instant_every=50", "run.checkpoint_every=150"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -37,16 +37,18 @@ ProcessResult run(std::filesystem::path const& directory, std::vector<std::strin
 
 /// All results of a run, but for the provenance, which names the command.
 struct Files {
-  std::vector<double> thermodynamics, moments, eps, positions;
-  std::string summary, scene;
+  std::vector<double> thermodynamics, moments, eps, positions, points;
+  std::string xyz, summary, scene;
   friend bool operator==(Files const&, Files const&) = default;
 };
 
 Files files(std::filesystem::path const& directory) {
   Store const results(directory / "run.h5", Store::Mode::read),
-      trajectory(directory / "trajectory.h5", Store::Mode::read);
+      trajectory(directory / "trajectory.h5", Store::Mode::read),
+      vtkhdf(directory / "trajectory.vtkhdf", Store::Mode::read);
   return {results.read_doubles("thermodynamics"),     results.read_doubles("moments"),
           results.read_doubles("particles/eps"),      trajectory.read_doubles("particles/all/position/value"),
+          vtkhdf.read_doubles("VTKHDF/Points"),       read_text_file(directory / "trajectory.xyz"),
           read_text_file(directory / "summary.json"), read_text_file(directory / "scene.toml")};
 }
 
@@ -58,6 +60,9 @@ TEST(Run, WritesTheSameBytesOnOneAndTwoThreads) {
   auto const results = files(scratch / "one");
   EXPECT_EQ(results.thermodynamics.size(), 81u * 12u);
   EXPECT_EQ(results.positions.size(), 5u * 1000u * 3u);
+  EXPECT_EQ(results.points.size(), 6u * 1000u * 3u);
+  EXPECT_EQ(results.eps.size(), 9u * 1000u); // an instant every 50 steps
+  EXPECT_EQ(std::count(results.xyz.begin(), results.xyz.end(), '\n'), 3 * 1002);
   EXPECT_TRUE(results == files(scratch / "two"));
   auto const other = run(scratch / "other", {"--seed", "2"});
   ASSERT_EQ(other.status, 0) << other.errors;

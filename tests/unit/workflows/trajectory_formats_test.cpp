@@ -1,0 +1,152 @@
+#include "md/error.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/extended_xyz.hpp"
+#include "workflows/text_file.hpp"
+#include "workflows/vtkhdf.hpp"
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+constexpr std::size_t particles = 3;
+
+/// Frame `number` of a trajectory in which every number tells where it belongs.
+ParticleFrame frame(std::int64_t number) {
+  ParticleFrame of{.step = 10 * number,
+                   .time = 0.5 * static_cast<double>(number),
+                   .box = {{4, 5, 6}},
+                   .positions = {},
+                   .velocities = {},
+                   .scalars = {{"T_K", {}}, {"rho", {}}}};
+  for (std::size_t i = 0; i < particles; ++i) {
+    double const label = 100.0 * static_cast<double>(number) + static_cast<double>(i) + 1.0 / 3;
+    of.positions.push_back({label, label + 10, label + 20});
+    of.velocities.push_back({-label, -label - 10, -label - 20});
+    of.scalars[0].second.push_back(2 * label);
+    of.scalars[1].second.push_back(3 * label);
+  }
+  return of;
+}
+
+/// One step of a VTKHDF file as the specification says that a reader finds it.
+struct VtkStep {
+  std::vector<double> points, velocity, T;
+  std::vector<std::int64_t> id, connectivity, offsets;
+};
+
+template <class T>
+std::vector<T> part(std::vector<T> const& all, std::int64_t begin, std::int64_t count,
+                    std::int64_t width = 1) {
+  return {all.begin() + begin * width, all.begin() + (begin + count) * width};
+}
+
+VtkStep read_step(Store const& store, std::size_t k) {
+  auto steps = [&](std::string const& name) { return store.read_integers("VTKHDF/Steps/" + name).at(k); };
+  auto count = [&](std::string const& name) {
+    return store.read_integers("VTKHDF/" + name).at(static_cast<std::size_t>(steps("PartOffsets")));
+  };
+  std::int64_t const n = count("NumberOfPoints"), cells = count("NumberOfCells");
+  EXPECT_EQ(steps("NumberOfParts"), 1);
+  return {.points = part(store.read_doubles("VTKHDF/Points"), steps("PointOffsets"), n, 3),
+          .velocity =
+              part(store.read_doubles("VTKHDF/PointData/velocity"), steps("PointDataOffsets/velocity"), n, 3),
+          .T = part(store.read_doubles("VTKHDF/PointData/T_K"), steps("PointDataOffsets/T_K"), n),
+          .id = part(store.read_integers("VTKHDF/PointData/id"), steps("PointDataOffsets/id"), n),
+          .connectivity = part(store.read_integers("VTKHDF/Connectivity"), steps("ConnectivityIdOffsets"),
+                               count("NumberOfConnectivityIds")),
+          .offsets = part(store.read_integers("VTKHDF/Offsets"), steps("CellOffsets"), cells + 1)};
+}
+
+TEST(VtkHdf, EveryStepIsFoundByTheOffsetsOfTheFormat) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "t.vtkhdf";
+  {
+    VtkHdfWriter writer(file, {});
+    writer.append(frame(0));
+    writer.append(frame(1));
+  }
+  {
+    auto writer = VtkHdfWriter::continue_file(file);
+    EXPECT_EQ(writer.last_step(), 10);
+    writer.append(frame(2));
+    writer.close();
+  }
+  Store const store(file, Store::Mode::read);
+  ASSERT_EQ(store.read_integer_attribute("VTKHDF/Steps", "NSteps"), 3);
+  EXPECT_EQ(store.read_doubles("VTKHDF/Steps/Values"), (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(store.read_integers("VTKHDF/Types"), std::vector<std::int64_t>(particles, 1)); // VTK_VERTEX
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto const expected = frame(static_cast<std::int64_t>(k));
+    auto const step = read_step(store, k);
+    EXPECT_EQ(step.offsets, (std::vector<std::int64_t>{0, 1, 2, 3}));
+    EXPECT_EQ(step.connectivity, (std::vector<std::int64_t>{0, 1, 2}));
+    EXPECT_EQ(step.id, (std::vector<std::int64_t>{0, 1, 2}));
+    EXPECT_EQ(step.T, expected.scalars[0].second);
+    for (std::size_t i = 0; i < particles; ++i) {
+      EXPECT_EQ(step.points[3 * i + 1], expected.positions[i].y);
+      EXPECT_EQ(step.velocity[3 * i + 2], expected.velocities[i].z);
+    }
+  }
+}
+
+TEST(VtkHdf, RefusesWhatIsNotANumberAndWhatIsNoVtkHdf) {
+  ScratchDirectory const scratch;
+  auto bad = frame(0);
+  bad.scalars[1].second[2] = std::nan("");
+  VtkHdfWriter writer(scratch / "t.vtkhdf", {});
+  EXPECT_THROW(writer.append(bad), PhysicsError);
+  EXPECT_EQ(writer.last_step(), -1);
+  Store(scratch / "other.h5", Store::Mode::create).close();
+  EXPECT_THROW(VtkHdfWriter::continue_file(scratch / "other.h5"), InputError);
+}
+
+TEST(ExtendedXyz, NumbersReadBackAsTheSameBits) {
+  ScratchDirectory const scratch;
+  ExtendedXyzWriter writer(scratch / "t.xyz");
+  writer.append(frame(7));
+  std::istringstream text(read_text_file(scratch / "t.xyz"));
+  std::string count, header;
+  std::getline(text, count), std::getline(text, header);
+  EXPECT_EQ(count, "3");
+  EXPECT_EQ(header,
+            "Lattice=\"4 0 0 0 5 0 0 0 6\" Properties=id:I:1:pos:R:3:velo:R:3:T_K:R:1:rho:R:1 step=70 "
+            "time=3.5 pbc=\"T T T\"");
+  auto const expected = frame(7);
+  std::size_t read = 0;
+  double id, x, y, z, u, v, w, T, rho;
+  while (text >> id >> x >> y >> z >> u >> v >> w >> T >> rho) {
+    EXPECT_EQ(id, static_cast<double>(read));
+    EXPECT_EQ(y, expected.positions[read].y);
+    EXPECT_EQ(w, expected.velocities[read].z);
+    EXPECT_EQ(rho, expected.scalars[1].second[read]);
+    ++read;
+  }
+  EXPECT_EQ(read, particles);
+}
+
+TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {
+  ScratchDirectory const scratch;
+  ExtendedXyzWriter whole(scratch / "whole.xyz");
+  for (std::int64_t const k : {0, 1, 2})
+    whole.append(frame(k));
+  auto const text = read_text_file(scratch / "whole.xyz");
+  std::size_t cuts = 0;
+  for (std::size_t const lost : {1u, 2u, 40u, 200u, 400u}) { // within the last frame, and in the one before
+    auto const file = scratch / "broken.xyz";
+    write_text_file(file, text.substr(0, text.size() - lost));
+    auto writer = ExtendedXyzWriter::continue_file(file);
+    for (auto next = writer.last_step() / 10 + 1; next < 3; ++next, ++cuts)
+      writer.append(frame(next));
+    EXPECT_EQ(read_text_file(file), text) << lost;
+  }
+  EXPECT_GE(cuts, 5u);
+  write_text_file(scratch / "foreign.xyz", "1\nno step here\nAr 0 0 0\n");
+  EXPECT_THROW(ExtendedXyzWriter::continue_file(scratch / "foreign.xyz"), InputError);
+}
+
+} // namespace
+} // namespace mesobridge::workflows

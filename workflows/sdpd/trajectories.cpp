@@ -1,0 +1,92 @@
+#include "workflows/sdpd/trajectories.hpp"
+#include <algorithm>
+#include <array>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// From metres and seconds to the files' nm and ps.
+constexpr double nm = 1e9, ps = 1e12;
+
+ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units,
+                       double dt, bool si) {
+  auto const reduced = simulation.units();
+  double const length = reduced.length() * (si ? nm : 1), velocity = reduced.velocity() * (si ? nm / ps : 1);
+  auto now = simulation.snapshot();
+  for (std::size_t i = 0; i < now.q.size(); ++i)
+    now.q[i] *= length, now.p[i] *= velocity;
+  auto scaled = [](std::vector<double>& values, double unit) {
+    for (double& value : values)
+      value *= unit;
+    return std::move(values);
+  };
+  return {.step = static_cast<std::int64_t>(simulation.observe().step),
+          .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
+          .box = Box{simulation.box().edge * length},
+          .positions = std::move(now.q),
+          .velocities = std::move(now.p),
+          .scalars = {{"eps" + units.energy_key, scaled(now.eps, units.energy)},
+                      {"rho" + units.density_key, scaled(now.rho, units.density)},
+                      {"T" + units.temperature_key, scaled(now.T, units.temperature)},
+                      {"P" + units.pressure_key, scaled(now.P, units.pressure)}}};
+}
+
+H5mdWriter::Units h5md_units(bool si) {
+  // The frames are in nm and ps already.
+  return {.length = 1, .time = 1, .physical = si};
+}
+
+} // namespace
+
+Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
+                           Provenance const& provenance, bool resume)
+    : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
+  auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
+             xyz = folder / "trajectory.xyz";
+  if (schedule_.trajectory_every > 0)
+    h5md_ =
+        resume ? H5mdWriter::continue_file(h5, h5md_units(si_)) : H5mdWriter(h5, h5md_units(si_), provenance);
+  if (schedule_.vtkhdf_every > 0)
+    vtkhdf_ = resume ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance);
+  if (schedule_.xyz_every > 0)
+    xyz_ = resume ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz);
+}
+
+std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) const {
+  for (auto const every : {schedule_.trajectory_every, schedule_.vtkhdf_every, schedule_.xyz_every})
+    if (every > 0)
+      steps = std::min(steps, every - done % every);
+  return steps;
+}
+
+void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units,
+                          double dt) {
+  auto const step = static_cast<std::int64_t>(simulation.observe().step);
+  auto due = [&](auto const& writer, std::int64_t every) {
+    return writer && done % every == 0 && step > writer->last_step();
+  };
+  bool const h5 = due(h5md_, schedule_.trajectory_every), vtk = due(vtkhdf_, schedule_.vtkhdf_every),
+             xyz = due(xyz_, schedule_.xyz_every);
+  if (!h5 && !vtk && !xyz)
+    return;
+  auto const frame = frame_of(done, simulation, units, dt, si_);
+  if (h5)
+    h5md_->append({.step = frame.step,
+                   .time = frame.time,
+                   .box = frame.box,
+                   .positions = frame.positions,
+                   .velocities = frame.velocities});
+  if (vtk)
+    vtkhdf_->append(frame);
+  if (xyz)
+    xyz_->append(frame);
+}
+
+void Trajectories::close() {
+  if (h5md_)
+    h5md_->close();
+  if (vtkhdf_)
+    vtkhdf_->close();
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,36 @@
+#pragma once
+#include "sdpd/simulation.hpp"
+#include "workflows/extended_xyz.hpp"
+#include "workflows/h5md.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/vtkhdf.hpp"
+#include <optional>
+
+namespace mesobridge::workflows {
+
+/// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5`
+/// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
+/// its checkpoint bit for bit: frames that a file holds already are skipped.
+class Trajectories {
+ public:
+  /// Creates the files in the folder, or goes on with them. Throws InputError, EnvironmentError.
+  Trajectories(Scene const& scene, std::filesystem::path const& folder, Provenance const& provenance,
+               bool resume);
+
+  /// From this sampled step to that of the next frame of any of them, at most `steps`.
+  std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;
+
+  /// Writes the frames that are due after `done` sampled steps.
+  void record(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units, double dt);
+
+  void close();
+
+ private:
+  Scene::Run schedule_;
+  bool si_;
+  std::optional<H5mdWriter> h5md_;
+  std::optional<VtkHdfWriter> vtkhdf_;
+  std::optional<ExtendedXyzWriter> xyz_;
+};
+
+} // namespace mesobridge::workflows
