@@ -88,12 +88,12 @@ bool Neighbours::outdated(std::span<Vec3 const> q) const {
   return far;
 }
 
-BlockMembers Neighbours::members(std::size_t block) const {
-  auto const& [cell, shift] = grid_.blocks()[block];
-  BlockMembers members;
+void Neighbours::find_members(std::size_t block) {
+  auto const& [cell, shift, pairs] = grid_.blocks()[block];
+  auto& members = lists_[block].members;
+  members.clear();
   for (std::size_t c = 0; c < cell.size(); ++c)
-    members[c] = {cell_begin_[cell[c]], cell_begin_[cell[c] + 1], shift[c]};
-  return members;
+    members.push_back({cell_begin_[cell[c]], cell_begin_[cell[c] + 1], shift[c]});
 }
 
 void Neighbours::renew(Particles& particles) {
@@ -103,12 +103,14 @@ void Neighbours::renew(Particles& particles) {
   sort(particles);
   q_renewed_ = particles.q;
   largest_block_ = 0;
-  for (std::size_t block = 0; block < lists_.size(); ++block)
+  for (std::size_t block = 0; block < lists_.size(); ++block) {
+    find_members(block);
     largest_block_ = std::max(largest_block_, size(members(block)));
+  }
   std::size_t const most = std::numeric_limits<std::uint16_t>::max() - 1;
   if (largest_block_ > most)
     throw PhysicsError(
-        fmt::format("{} of {} particles crowd into eight neighbouring cells (at most {} can be "
+        fmt::format("{} of {} particles crowd into a few neighbouring cells (at most {} can be "
                     "handled): the system has collapsed",
                     largest_block_, particles.size(), most));
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads_)
@@ -139,18 +141,19 @@ void Neighbours::find_candidates(std::size_t block, std::span<Vec3 const> q) {
   thread_local std::vector<LocalPair> found;
   auto const all = members(block);
   at.copy(all, q);
-  std::array<std::size_t, 9> begin{};
-  for (std::size_t c = 0; c < 8; ++c)
-    begin[c + 1] = begin[c] + (all[c].end - all[c].begin);
+  thread_local std::vector<std::size_t> begin;
+  begin.assign(1, 0);
+  for (auto const& cell : all)
+    begin.push_back(begin.back() + (cell.end - cell.begin));
   // Wider by more than single precision errs within a block, which is a few reaches wide.
   double const reach = (1 + 1e-5) * (range_ + skin_);
   auto const reach2 = static_cast<float>(reach * reach);
   std::size_t count = 0;
-  for (auto const& [a, b] : block_cell_pairs)
+  for (auto const& [a, b] : grid_.blocks()[block].pairs)
     for (std::size_t i = begin[a]; i < begin[a + 1]; ++i)
       append_near(at, i, a == b ? i + 1 : begin[b], begin[b + 1], reach2, found, count);
   auto& lists = lists_[block];
-  order_in_matchings(std::span(found).first(count), begin[8], lists.candidates, lists.candidate_ends);
+  order_in_matchings(std::span(found).first(count), begin.back(), lists.candidates, lists.candidate_ends);
   lists.pairs.reserve(count + lane_count); // no more than that: vectors that grow take up to twice as much
   lists.pairs.resize(count + lane_count);
   lists.pair_ends.resize(lists.candidate_ends.size());

@@ -4,7 +4,7 @@
 
 namespace mesobridge::sdpd {
 
-/// Two particles of a block by their places in it. The eight cells follow each other, and a block's pairs are
+/// Two particles of a block by their places in it. The block's cells follow each other, and its pairs are
 /// worked on in a copy of its particles: small, close together, in one periodic image.
 struct LocalPair {
   std::uint16_t i, j;
@@ -16,7 +16,7 @@ struct Members {
   Index begin, end;
   Vec3 shift;
 };
-using BlockMembers = std::array<Members, 8>;
+using BlockMembers = std::span<Members const>; ///< valid until the lists are renewed
 
 inline std::size_t size(BlockMembers const& members) {
   std::size_t n = 0;
@@ -50,7 +50,7 @@ class Neighbours {
   /// Positions at the last renewal, in today's order: with them a restart renews the same lists.
   std::span<Vec3 const> positions_at_renewal() const { return q_renewed_; }
 
-  BlockMembers members(std::size_t block) const;
+  BlockMembers members(std::size_t block) const { return lists_[block].members; }
   std::size_t largest_block() const { return largest_block_; }
 
   std::span<LocalPair const> candidates(std::size_t block) const { return lists_[block].candidates; }
@@ -72,11 +72,13 @@ class Neighbours {
 
  private:
   struct BlockLists {
+    std::vector<Members> members;
     std::vector<LocalPair> candidates, pairs;
     std::vector<std::uint32_t> candidate_ends, pair_ends;
     std::size_t pair_count = 0;
   };
   void sort(Particles& particles);
+  void find_members(std::size_t block);
   void find_candidates(std::size_t block, std::span<Vec3 const> q);
 
   Box box_;

@@ -17,14 +17,21 @@ template <class To, class From>
   return load<To>(&from);
 }
 
+[[gnu::always_inline]] inline WideFloats join(FloatLanes const& low, FloatLanes const& high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+[[gnu::always_inline]] inline FloatLanes low_half(WideFloats const& x) {
+  return __builtin_shufflevector(x, x, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+[[gnu::always_inline]] inline FloatLanes high_half(WideFloats const& x) {
+  return __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
 [[gnu::always_inline]] inline WideFloats square_root(WideFloats const& x) {
 #ifdef __AVX512VL__
   return _mm512_maskz_sqrt_ps(0xffff, x);
 #else
-  WideFloats root;
-  for (std::size_t l = 0; l < wide_count; ++l)
-    root[l] = std::sqrt(x[l]);
-  return root;
+  return join(square_root(low_half(x)), square_root(high_half(x)));
 #endif
 }
 

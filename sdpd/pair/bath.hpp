@@ -11,7 +11,7 @@ struct OrnsteinUhlenbeck {
   X decay;    ///< alpha - 1 = exp(-2 gamma dt / m) - 1
   X variance; ///< zeta^2
 
-  X kick() const { return square_root(variance); }
+  [[gnu::always_inline]] X kick() const { return square_root(variance); }
 };
 
 /// Friction and noise of a pair of equal masses m = 1 at one pair of temperatures. For every coefficient a
@@ -27,7 +27,8 @@ struct Bath {
   struct Directions {
     OrnsteinUhlenbeck<X> par, perp;
   };
-  Directions step(X const& a_par, X const& a_perp, bool par_is_twice_perp, double dt) const {
+  [[gnu::always_inline]] Directions step(X const& a_par, X const& a_perp, bool par_is_twice_perp,
+                                         double dt) const {
     OrnsteinUhlenbeck<X> const across = step(a_perp, dt);
     if (!par_is_twice_perp)
       return {step(a_par, dt), across};
@@ -35,12 +36,14 @@ struct Bath {
   }
 
   /// One direction with friction coefficient `a` over the time dt.
-  OrnsteinUhlenbeck<X> step(X const& a, double dt) const {
+  [[gnu::always_inline]] OrnsteinUhlenbeck<X> step(X const& a, double dt) const {
     return of_decay(minus_expm1(constant<X>(2 * dt) * a * gamma_over_a));
   }
 
  private:
-  OrnsteinUhlenbeck<X> of_decay(X const& decay) const { return {decay, thermal * -decay * (2 + decay)}; }
+  [[gnu::always_inline]] OrnsteinUhlenbeck<X> of_decay(X const& decay) const {
+    return {decay, thermal * -decay * (2 + decay)};
+  }
 };
 
 /// Temperatures and inverse heat capacities of a pair: all that a law may make a bath of.

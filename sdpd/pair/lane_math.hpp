@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/lanes.hpp"
+#include "sdpd/wide_lanes.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -18,29 +18,43 @@ template <>
   return std::expm1(-x);
 }
 
-/// The same in lanes, to single precision: with n the integer nearest to x/ln 2, exp(-x) - 1 =
-/// 2^-n (exp(f) - 1) + (2^-n - 1), f = n ln 2 - x in [-0.35, 0.35], by the series of exp(f) - 1 up to f^7.
-[[gnu::always_inline]] inline FloatLanes minus_expm1(FloatLanes const& argument) {
+namespace detail {
+
+/// The same in lanes of floats, to single precision, with the integers of that many lanes: with n the integer
+/// nearest to x/ln 2, exp(-x) - 1 = 2^-n (exp(f) - 1) + (2^-n - 1), f = n ln 2 - x in [-0.35, 0.35], by the
+/// series of exp(f) - 1 up to f^7.
+template <class Integers, class Floats>
+[[gnu::always_inline]] inline Floats minus_expm1(Floats const& argument) {
   constexpr float ln2_high = 0.693359375f, ln2_low = -2.12194440e-4f; // their sum is ln 2
   constexpr float to_integer = 12582912.0f;                           // 1.5 * 2^23: adding it rounds
-  FloatLanes const most = constant<FloatLanes>(80);                   // exp(-80) is nothing beside 1
-  FloatLanes const x = argument < most ? argument : most;
-  FloatLanes const shifted = x * 1.44269504f + to_integer, n = shifted - to_integer;
-  FloatLanes const f = (n * ln2_high - x) + n * ln2_low;
-  FloatLanes series = 1.0f / 720.0f + f * (1.0f / 5040.0f);
+  Floats const most = constant<Floats>(80);                           // exp(-80) is nothing beside 1
+  Floats const x = argument < most ? argument : most;
+  Floats const shifted = x * 1.44269504f + to_integer, n = shifted - to_integer;
+  Floats const f = (n * ln2_high - x) + n * ln2_low;
+  Floats series = 1.0f / 720.0f + f * (1.0f / 5040.0f);
   series = 1.0f / 120.0f + f * series;
   series = 1.0f / 24.0f + f * series;
   series = 1.0f / 6.0f + f * series;
   series = 0.5f + f * series;
   series = f + f * f * series;
-  IntLanes const exponent = (127 - __builtin_convertvector(n, IntLanes)) << 23;
-  FloatLanes const power = load<FloatLanes>(&exponent);
+  Integers const exponent = (127 - __builtin_convertvector(n, Integers)) << 23;
+  Floats const power = reinterpret<Floats>(exponent);
   return power * series + (power - 1.0f);
 }
 
+} // namespace detail
+
+[[gnu::always_inline]] inline FloatLanes minus_expm1(FloatLanes const& x) {
+  return detail::minus_expm1<IntLanes>(x);
+}
+[[gnu::always_inline]] inline WideFloats minus_expm1(WideFloats const& x) {
+  return detail::minus_expm1<WideInts>(x);
+}
+
 /// exp(min(x, 0)), to single precision.
-[[gnu::always_inline]] inline FloatLanes exp_up_to_one(FloatLanes const& x) {
-  return 1.0f + minus_expm1(x < 0.0f ? -x : FloatLanes{});
+template <class Floats>
+[[gnu::always_inline]] inline Floats exp_up_to_one(Floats const& x) {
+  return 1.0f + minus_expm1(x < 0.0f ? -x : Floats{});
 }
 
 /// ln x of normal numbers x > 0, to 2 units of round-off: x = 2^k m with m in [sqrt(1/2), sqrt(2)), and

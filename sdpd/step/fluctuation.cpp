@@ -1,109 +1,109 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
 #include "sdpd/step/fluctuation_isothermal.hpp"
-#include "sdpd/step/pair_lanes.hpp"
+#include "sdpd/step/metropolis_lanes.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// Temperatures and inverse heat capacities of eight pairs at some energies.
-struct ThermalLanes {
-  Lanes T_a, T_b;
-  FloatLanes inverse_C_a, inverse_C_b;
+/// Pairs are worked on in groups of eight or, in two halves of double precision, of sixteen.
+template <std::size_t halves>
+using FloatsOf = std::conditional_t<halves == 2, WideFloats, FloatLanes>;
+template <std::size_t halves>
+using Halves = std::array<Lanes, halves>;
 
-  [[gnu::always_inline]] ThermalLanes(ParticleLanes const& a, ParticleLanes const& b, Lanes const& u_a,
-                                      Lanes const& u_b)
-      : T_a(a.caloric.T(u_a)), T_b(b.caloric.T(u_b)), inverse_C_a(to_float(a.caloric.inverse_C(u_a))),
-        inverse_C_b(to_float(b.caloric.inverse_C(u_b))) {}
-};
-
-template <class Law>
-[[gnu::always_inline]] inline BathLanes::Directions
-step_of(Sweep<Law> const& sweep, PairWeights<FloatLanes> const& weight, ThermalLanes const& at) {
-  auto const bath = sweep.law.template bath<FloatLanes>(
-      {to_float(at.T_a), to_float(at.T_b), at.inverse_C_a, at.inverse_C_b});
-  return step_in(bath, sweep.law, weight, sweep.dt);
+[[gnu::always_inline]] inline FloatLanes joined(Halves<1> const& x) {
+  return to_float(x[0]);
+}
+[[gnu::always_inline]] inline WideFloats joined(Halves<2> const& x) {
+  return join(to_float(x[0]), to_float(x[1]));
+}
+[[gnu::always_inline]] inline Lanes half(FloatLanes const& x, std::size_t) {
+  return to_double(x);
+}
+[[gnu::always_inline]] inline Lanes half(WideFloats const& x, std::size_t h) {
+  return to_double(h == 0 ? low_half(x) : high_half(x));
 }
 
-/// a/b where b > 0, and 1 where both vanish (at the edge of the kernel, where nothing happens).
-[[gnu::always_inline]] inline FloatLanes ratio(FloatLanes const& a, FloatLanes const& b) {
-  constexpr float tiny = 1e-37f;
-  return (a + tiny) / (b + tiny);
-}
-
-/// The square of the noise that would lead back; that of the noise itself where there is no friction.
-[[gnu::always_inline]] inline FloatLanes
-square_over_variance(FloatLanes const& square, FloatLanes const& variance, FloatLanes const& noise2) {
-  return variance > 0.0f ? square / variance : noise2;
-}
-
-/// The noise's part of the exponent a of theory sheet, section 3, EMS, as in ExactPair: G^2 less the square
-/// of the noise that would lead back, and the widths' ratio |B|^2/|B'|^2.
-struct NoiseTerms {
-  FloatLanes squares, widths;
-};
-[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
-                                                     BathLanes::Directions const& back,
-                                                     InputLanes<Across::common> const& input,
-                                                     VectorLanes<FloatLanes> const& v,
-                                                     VectorLanes<FloatLanes> const& dv) {
-  auto const& e = input.e;
-  VectorLanes<FloatLanes> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
-  VectorLanes<FloatLanes> const rest{dv.x + back.perp.decay * moved.x, dv.y + back.perp.decay * moved.y,
-                                     dv.z + back.perp.decay * moved.z};
-  FloatLanes const along = dot(e, dv) + back.par.decay * dot(e, moved), rest_along = dot(e, rest);
-  FloatLanes const across2 = dot(rest, rest) - rest_along * rest_along;
-  FloatLanes const noise2 =
-      dot(input.G, input.G) - ratio(along * along, back.par.variance) - ratio(across2, back.perp.variance);
-  FloatLanes const across_ratio = ratio(there.perp.variance, back.perp.variance);
-  return {noise2, ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
-}
-[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
-                                                     BathLanes::Directions const& back,
-                                                     InputLanes<Across::none> const& input,
-                                                     VectorLanes<FloatLanes> const& v,
-                                                     VectorLanes<FloatLanes> const& dv) {
-  FloatLanes const along_dv = dot(input.e, dv), noise = dot(input.e, input.G), noise2 = noise * noise;
-  FloatLanes const along = along_dv + back.par.decay * (dot(input.e, v) + along_dv);
-  return {noise2 - square_over_variance(along * along, back.par.variance, noise2),
-          ratio(there.par.variance, back.par.variance)};
-}
-/// Either friction may vanish alone, which must not leave a round-off of the other.
-[[gnu::always_inline]] inline NoiseTerms noise_terms(BathLanes::Directions const& there,
-                                                     BathLanes::Directions const& back,
-                                                     InputLanes<Across::own> const& input,
-                                                     VectorLanes<FloatLanes> const& v,
-                                                     VectorLanes<FloatLanes> const& dv) {
-  auto const &e = input.e, &G = input.G;
-  VectorLanes<FloatLanes> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
-  FloatLanes const along_dv = dot(e, dv), along_moved = dot(e, moved), noise = dot(e, G);
-  FloatLanes const along = along_dv + back.par.decay * along_moved;
-  auto across = [&](FloatLanes const& dv_k, FloatLanes const& moved_k, FloatLanes const& e_k) {
-    return dv_k - along_dv * e_k + back.perp.decay * (moved_k - along_moved * e_k);
-  };
-  VectorLanes<FloatLanes> const side{across(dv.x, moved.x, e.x), across(dv.y, moved.y, e.y),
-                                     across(dv.z, moved.z, e.z)};
-  FloatLanes const noise2 = noise * noise, noise_across2 = dot(G, G) - noise2;
-  FloatLanes const across_ratio = ratio(there.perp.variance, back.perp.variance);
-  return {noise2 - square_over_variance(along * along, back.par.variance, noise2) + noise_across2 -
-              square_over_variance(dot(side, side), back.perp.variance, noise_across2),
-          ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
-}
-
-/// The exponent a itself.
-template <class Law>
-[[gnu::always_inline]] inline FloatLanes log_acceptance(NoiseTerms const& noise, ParticleLanes const& a,
-                                                        ParticleLanes const& b, ThermalLanes const& at,
-                                                        ThermalLanes const& proposed, double boltzmann) {
-  Lanes const log_a = logarithm(proposed.T_a / at.T_a), log_b = logarithm(proposed.T_b / at.T_b);
-  Lanes const entropies = (a.caloric.entropy_change(at.T_a, proposed.T_a, log_a) +
-                           b.caloric.entropy_change(at.T_b, proposed.T_b, log_b)) *
-                          broadcast(1 / boltzmann);
-  Lanes const widths = 0.5 * logarithm(to_double(noise.widths));
-  if constexpr (Law::measure_over_T)
-    return to_float(entropies - log_a - log_b + widths) + 0.5f * noise.squares;
+/// f(half) for each half of a group.
+template <std::size_t halves, class F>
+[[gnu::always_inline]] inline Halves<halves> each_half(F const& f) {
+  if constexpr (halves == 1)
+    return {f(0)};
   else
-    return to_float(entropies + widths) + 0.5f * noise.squares;
+    return {f(0), f(1)};
+}
+
+/// The particles on one side of a group's pairs.
+template <std::size_t halves>
+using Side = std::array<ParticleLanes, halves>;
+template <class LineOf>
+[[gnu::always_inline]] inline ParticleLanes load_half(LineOf const& line_of, std::size_t h) {
+  return ParticleLanes(
+      load_lines([&](std::size_t l) [[gnu::always_inline]] { return line_of(h * lane_count + l); }));
+}
+template <std::size_t halves, class LineOf>
+[[gnu::always_inline]] inline Side<halves> load_side(LineOf const& line_of) {
+  if constexpr (halves == 1)
+    return {load_half(line_of, 0)};
+  else
+    return {load_half(line_of, 0), load_half(line_of, 1)};
+}
+
+/// Temperatures and inverse heat capacities of the pairs at some energies.
+template <std::size_t halves>
+struct Thermal {
+  Halves<halves> T_a, T_b;
+  PairTemperatures<FloatsOf<halves>> rounded;
+
+  [[gnu::always_inline]] Thermal(Side<halves> const& a, Side<halves> const& b, Halves<halves> const& u_a,
+                                 Halves<halves> const& u_b)
+      : T_a(each_half<halves>([&](std::size_t h) { return a[h].caloric.T(u_a[h]); })),
+        T_b(each_half<halves>([&](std::size_t h) { return b[h].caloric.T(u_b[h]); })),
+        rounded{joined(T_a), joined(T_b),
+                joined(each_half<halves>([&](std::size_t h) { return a[h].caloric.inverse_C(u_a[h]); })),
+                joined(each_half<halves>([&](std::size_t h) { return b[h].caloric.inverse_C(u_b[h]); }))} {}
+
+  /// Bits of the pairs whose expansions serve at these temperatures.
+  [[gnu::always_inline]] unsigned in_reach(Side<halves> const& a, Side<halves> const& b) const {
+    return bits([&](std::size_t h) { return a[h].caloric.in_reach(T_a[h]) & b[h].caloric.in_reach(T_b[h]); });
+  }
+  [[gnu::always_inline]] unsigned positive() const {
+    return bits([&](std::size_t h) { return less(Lanes{}, T_a[h]) & less(Lanes{}, T_b[h]); });
+  }
+  template <class F>
+  [[gnu::always_inline]] static unsigned bits(F const& f) {
+    if constexpr (halves == 1)
+      return f(0);
+    else
+      return f(0) | f(1) << lane_count;
+  }
+};
+
+template <class Law, class Floats>
+[[gnu::always_inline]] inline typename Bath<Floats>::Directions
+step_of(Sweep<Law> const& sweep, PairWeights<Floats> const& weight, PairTemperatures<Floats> const& at) {
+  return step_in(sweep.law.template bath<Floats>(at), sweep.law, weight, sweep.dt);
+}
+
+/// The exponent a of theory sheet, section 3, EMS, as in ExactPair.
+template <class Law, std::size_t halves>
+[[gnu::always_inline]] inline FloatsOf<halves>
+log_acceptance(NoiseTerms<FloatsOf<halves>> const& noise, Side<halves> const& a, Side<halves> const& b,
+               Thermal<halves> const& at, Thermal<halves> const& proposed, double boltzmann) {
+  auto const exact = each_half<halves>([&](std::size_t h) [[gnu::always_inline]] {
+    Lanes const log_a = logarithm(proposed.T_a[h] / at.T_a[h]),
+                log_b = logarithm(proposed.T_b[h] / at.T_b[h]);
+    Lanes const entropies = (a[h].caloric.entropy_change(at.T_a[h], proposed.T_a[h], log_a) +
+                             b[h].caloric.entropy_change(at.T_b[h], proposed.T_b[h], log_b)) *
+                            broadcast(1 / boltzmann);
+    Lanes const widths = 0.5 * logarithm(half(noise.widths, h));
+    if constexpr (Law::measure_over_T)
+      return entropies - log_a - log_b + widths;
+    else
+      return entropies + widths;
+  });
+  return joined(exact) + 0.5f * noise.squares;
 }
 
 /// What became of a group of pairs: one bit a lane.
@@ -115,46 +115,61 @@ struct GroupOutcome {
   unsigned out_of_domain;
 };
 
-[[gnu::always_inline]] inline unsigned positive(Lanes const& T_a, Lanes const& T_b) {
-  return less(Lanes{}, T_a) & less(Lanes{}, T_b);
-}
-
 /// Lanes whose Metropolis test is passed for certain, and those for which more bits are needed.
 struct Verdict {
   unsigned passed, open;
 };
-[[gnu::always_inline]] inline Verdict metropolis(FloatLanes const& log_acceptance,
+template <std::size_t halves>
+[[gnu::always_inline]] inline Verdict metropolis(FloatsOf<halves> const& log_acceptance,
                                                  std::uint32_t const* bits) {
-  Lanes const level = to_double(exp_up_to_one(log_acceptance)) * double(1u << spare_bits);
-  Lanes first;
-  for (std::size_t l = 0; l < lane_count; ++l)
-    first[l] = static_cast<std::int32_t>(bits[l]);
-  unsigned const above = less(first, level),
-                 passed = less(first + 1.0, level) | (0xffu & ~less(level, broadcast(1u << spare_bits)));
-  return {passed & above, above & ~passed};
+  auto const chance = exp_up_to_one(log_acceptance);
+  auto verdict = [&](std::size_t h) [[gnu::always_inline]] {
+    Lanes const level = half(chance, h) * double(1u << spare_bits);
+    Lanes const first = __builtin_convertvector(load<IntLanes>(bits + h * lane_count), Lanes);
+    unsigned const above = less(first, level),
+                   passed = less(first + 1.0, level) | (0xffu & ~less(level, broadcast(1u << spare_bits)));
+    return Verdict{passed & above, above & ~passed};
+  };
+  Verdict all = verdict(0);
+  if constexpr (halves == 2) {
+    Verdict const high = verdict(1);
+    all = {all.passed | high.passed << lane_count, all.open | high.open << lane_count};
+  }
+  return all;
 }
 
-/// The steps of up to eight pairs that share no particle.
-template <class Law, PairScheme scheme>
+/// The steps of up to eight pairs for each half that share no particle.
+template <class Law, PairScheme scheme, std::size_t halves>
 [[gnu::always_inline]] inline GroupOutcome
 fluctuate_group(FluctuatingParticle* particles, LocalPair const* pair, PairInputs const& inputs,
                 std::size_t first, std::size_t count, Sweep<Law> const& sweep) {
-  ParticleLanes const a(load_lines([&](std::size_t l) { return &particles[pair[l].i]; }));
-  ParticleLanes const b(load_lines([&](std::size_t l) { return &particles[pair[l].j]; }));
-  InputLanes<Law::across> const input(inputs, first);
-  Lanes const v_x = a.p_x - b.p_x, v_y = a.p_y - b.p_y, v_z = a.p_z - b.p_z;
-  VectorLanes<FloatLanes> const v{to_float(v_x), to_float(v_y), to_float(v_z)};
-  ThermalLanes const at(a, b, a.u, b.u);
-  auto const there = step_of(sweep, input.weight, at);
+  using Floats = FloatsOf<halves>;
+  auto const a = load_side<halves>([&](std::size_t l) { return &particles[pair[l].i]; });
+  auto const b = load_side<halves>([&](std::size_t l) { return &particles[pair[l].j]; });
+  InputLanes<Law::across, Floats> const input(inputs, first);
+  auto relative = [&](Lanes ParticleLanes::*p) [[gnu::always_inline]] {
+    return each_half<halves>([&](std::size_t h) { return a[h].*p - b[h].*p; });
+  };
+  auto const v_x = relative(&ParticleLanes::p_x), v_y = relative(&ParticleLanes::p_y),
+             v_z = relative(&ParticleLanes::p_z);
+  VectorLanes<Floats> const v{joined(v_x), joined(v_y), joined(v_z)};
+  auto energies = [&](Side<halves> const& side, auto const& heat) [[gnu::always_inline]] {
+    return each_half<halves>([&](std::size_t h) { return side[h].u + heat(h); });
+  };
+  auto no_heat = [](std::size_t) { return Lanes{}; };
+  Thermal<halves> const at(a, b, energies(a, no_heat), energies(b, no_heat));
+  auto const there = step_of(sweep, input.weight, at.rounded);
   auto const change = velocity_change(there, input, v);
-  Lanes const dv_x = to_double(change.x), dv_y = to_double(change.y), dv_z = to_double(change.z);
-  Lanes const heat =
-      -0.125 * (dv_x * (2.0 * v_x + dv_x) + dv_y * (2.0 * v_y + dv_y) + dv_z * (2.0 * v_z + dv_z));
-  Lanes const u_a = a.u + heat, u_b = b.u + heat;
-  ThermalLanes const proposed(a, b, u_a, u_b);
-  unsigned const present = count == lane_count ? 0xffu : (1u << count) - 1;
-  unsigned const in_reach = a.caloric.in_reach(proposed.T_a) & b.caloric.in_reach(proposed.T_b);
-  unsigned const in_domain = positive(proposed.T_a, proposed.T_b);
+  auto const heat = each_half<halves>([&](std::size_t h) [[gnu::always_inline]] {
+    Lanes const x = half(change.x, h), y = half(change.y, h), z = half(change.z, h);
+    return -0.125 * (x * (2.0 * v_x[h] + x) + y * (2.0 * v_y[h] + y) + z * (2.0 * v_z[h] + z));
+  });
+  auto the_heat = [&](std::size_t h) { return heat[h]; };
+  auto const u_a = energies(a, the_heat), u_b = energies(b, the_heat);
+  Thermal<halves> const proposed(a, b, u_a, u_b);
+  constexpr unsigned all = (1u << halves * lane_count) - 1;
+  unsigned const present = (1u << count) - 1, in_reach = proposed.in_reach(a, b),
+                 in_domain = proposed.positive();
   GroupOutcome outcome{
       .made = present, .exact = 0, .renew = present & ~(in_reach & in_domain), .test = 0, .out_of_domain = 0};
   if constexpr (scheme != PairScheme::ssa)
@@ -164,26 +179,30 @@ fluctuate_group(FluctuatingParticle* particles, LocalPair const* pair, PairInput
                .test = 0,
                .out_of_domain = present & in_reach & ~in_domain};
   if constexpr (scheme == PairScheme::ems) {
-    auto const back = step_of(sweep, input.weight, proposed);
+    auto const back = step_of(sweep, input.weight, proposed.rounded);
     auto const noise = noise_terms(there, back, input, v, change);
-    auto const verdict =
-        metropolis(log_acceptance<Law>(noise, a, b, at, proposed, sweep.law.boltzmann), &inputs.bits[first]);
+    auto const verdict = metropolis<halves>(
+        log_acceptance<Law, halves>(noise, a, b, at, proposed, sweep.law.boltzmann), &inputs.bits[first]);
     outcome.test = outcome.made & verdict.open;
     outcome.made &= verdict.passed;
   }
-  auto const rows_a = to_rows({a.p_x + 0.5 * dv_x, a.p_y + 0.5 * dv_y, a.p_z + 0.5 * dv_z, u_a});
-  auto const rows_b = to_rows({b.p_x - 0.5 * dv_x, b.p_y - 0.5 * dv_y, b.p_z - 0.5 * dv_z, u_b});
-  auto write = [&](std::size_t l) {
-    store(rows_a[l], &particles[pair[l].i]);
-    store(rows_b[l], &particles[pair[l].j]);
-  };
-  if (outcome.made == 0xffu) [[likely]]
-    for (std::size_t l = 0; l < lane_count; ++l)
-      write(l);
-  else
-    for (std::size_t l = 0; l < count; ++l)
-      if (outcome.made >> l & 1u)
+#pragma GCC unroll 2
+  for (std::size_t h = 0; h < halves; ++h) {
+    Lanes const x = 0.5 * half(change.x, h), y = 0.5 * half(change.y, h), z = 0.5 * half(change.z, h);
+    auto const rows_a = to_rows({a[h].p_x + x, a[h].p_y + y, a[h].p_z + z, u_a[h]});
+    auto const rows_b = to_rows({b[h].p_x - x, b[h].p_y - y, b[h].p_z - z, u_b[h]});
+    auto write = [&](std::size_t l) [[gnu::always_inline]] {
+      store(rows_a[l], &particles[pair[h * lane_count + l].i]);
+      store(rows_b[l], &particles[pair[h * lane_count + l].j]);
+    };
+    if (outcome.made == all) [[likely]]
+      for (std::size_t l = 0; l < lane_count; ++l)
         write(l);
+    else
+      for (std::size_t l = 0; l < lane_count; ++l)
+        if (outcome.made >> (h * lane_count + l) & 1u)
+          write(l);
+  }
   return outcome;
 }
 
@@ -198,18 +217,31 @@ class BlockSweep {
   /// Sweeps one matching, whose inputs begin at `first`. False when a particle has left the equation of
   /// state.
   bool matching(std::span<LocalPair const> pairs, std::size_t first) {
-    bool fine = true;
-    for_each_group(pairs, block_.size(), [&](LocalPair const* pair, std::size_t k, std::size_t count) {
-      auto const outcome =
-          fluctuate_group<Law, scheme>(block_.particles().data(), pair, inputs_, first + k, count, sweep_);
-      counts_.proposed += count;
-      if (outcome.made != (1u << count) - 1 || outcome.renew != 0) [[unlikely]]
-        fine = fine && finish(outcome, pair, first + k, count);
-    });
-    return fine;
+    std::size_t k = 0;
+    for (; pairs.size() - k >= wide_count; k += wide_count)
+      if (!group<2>(&pairs[k], first + k, wide_count))
+        return false;
+    std::size_t const left = pairs.size() - k;
+    if (left == 0)
+      return true;
+    std::array<LocalPair, wide_count> last;
+    auto const phantom = static_cast<std::uint16_t>(block_.size());
+    last.fill({phantom, static_cast<std::uint16_t>(phantom + 1)});
+    std::copy_n(&pairs[k], left, last.begin());
+    return left <= lane_count ? group<1>(last.data(), first + k, left)
+                              : group<2>(last.data(), first + k, left);
   }
 
  private:
+  template <std::size_t halves>
+  bool group(LocalPair const* pair, std::size_t first, std::size_t count) {
+    auto const outcome =
+        fluctuate_group<Law, scheme, halves>(block_.particles().data(), pair, inputs_, first, count, sweep_);
+    counts_.proposed += count;
+    if (outcome.made == (1u << count) - 1 && outcome.renew == 0) [[likely]]
+      return true;
+    return finish(outcome, pair, first, count);
+  }
   /// Whatever the lanes could not do.
   bool finish(GroupOutcome const& outcome, LocalPair const* pair, std::size_t first, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l) {

@@ -9,10 +9,10 @@ namespace {
 template <class Law>
 [[gnu::always_inline]] inline void
 fluctuate_group(Row* momenta, LocalPair const* pair, PairInputs const& inputs, std::size_t first,
-                std::size_t count, BathLanes const& bath, Sweep<Law> const& sweep) {
+                std::size_t count, Bath<FloatLanes> const& bath, Sweep<Law> const& sweep) {
   RowLanes const a = load_rows([&](std::size_t l) { return &momenta[pair[l].i]; });
   RowLanes const b = load_rows([&](std::size_t l) { return &momenta[pair[l].j]; });
-  InputLanes<Law::across> const input(inputs, first);
+  InputLanes<Law::across, FloatLanes> const input(inputs, first);
   VectorLanes<FloatLanes> const v{to_float(a[0] - b[0]), to_float(a[1] - b[1]), to_float(a[2] - b[2])};
   auto const change = velocity_change(step_in(bath, sweep.law, input.weight, sweep.dt), input, v);
   Lanes const x = 0.5 * to_double(change.x), y = 0.5 * to_double(change.y), z = 0.5 * to_double(change.z);

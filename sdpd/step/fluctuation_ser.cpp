@@ -7,7 +7,7 @@ namespace {
 
 /// The bath of eight pairs at the start, and their relative velocities.
 struct Start {
-  BathLanes bath;
+  Bath<FloatLanes> bath;
   VectorLanes<Lanes> v;
 };
 template <class Law>
@@ -30,7 +30,7 @@ template <class Law>
 /// pairs at the velocities and temperatures of the start.
 template <class Law>
 [[gnu::always_inline]] inline VectorLanes<Lanes>
-impulse(Start const& start, InputLanes<Law::across> const& input, Sweep<Law> const& sweep) {
+impulse(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sweep<Law> const& sweep) {
   auto const& bath = start.bath;
   FloatLanes const dt = constant<FloatLanes>(sweep.dt);
   auto const [a_par, a_perp] = sweep.law.coefficients(input.weight);
@@ -60,7 +60,7 @@ void for_each_impulse(System const& system, BlockOf<Law>& block, std::size_t num
   auto const* const particles = block.particles().data();
   for_each_group(pairs, block.size(), [&](LocalPair const* pair, std::size_t first, std::size_t count) {
     Start const start = start_of(sweep.law, particles, pair);
-    f(pair, count, start.v, impulse(start, InputLanes<Law::across>(inputs, first), sweep));
+    f(pair, count, start.v, impulse(start, InputLanes<Law::across, FloatLanes>(inputs, first), sweep));
   });
 }
 

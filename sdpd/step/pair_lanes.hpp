@@ -1,7 +1,7 @@
 #pragma once
 #include "sdpd/step/fluctuating_block.hpp"
 
-/// The Ornstein-Uhlenbeck steps of eight pairs that share no particle.
+/// The Ornstein-Uhlenbeck steps of pairs that share no particle, eight or sixteen at once.
 namespace mesobridge::sdpd {
 
 /// A caloric expansion in lanes.
@@ -32,7 +32,7 @@ struct ParticleLanes {
       : p_x(line[0]), p_y(line[1]), p_z(line[2]), u(line[3]), caloric{line[4], line[5], line[6], line[7]} {}
 };
 
-/// Vectors of eight pairs.
+/// Vectors of the pairs.
 template <class X>
 struct VectorLanes {
   X x, y, z;
@@ -42,49 +42,45 @@ struct VectorLanes {
   }
 };
 
-/// Geometry and noise of eight pairs.
-template <Across across>
+/// Geometry and noise of as many pairs as there are Floats.
+template <Across across, class Floats>
 struct InputLanes {
-  PairWeights<FloatLanes> weight;
-  VectorLanes<FloatLanes> e, G;
+  PairWeights<Floats> weight;
+  VectorLanes<Floats> e, G;
 
   [[gnu::always_inline]] InputLanes(PairInputs const& from, std::size_t first)
-      : e{load<FloatLanes>(&from.e_x[first]), load<FloatLanes>(&from.e_y[first]),
-          load<FloatLanes>(&from.e_z[first])},
-        G{load<FloatLanes>(&from.G_x[first]), load<FloatLanes>(&from.G_y[first]),
-          load<FloatLanes>(&from.G_z[first])} {
-    weight.par = weight.perp = load<FloatLanes>(&from.weight[first]);
+      : e{load<Floats>(&from.e_x[first]), load<Floats>(&from.e_y[first]), load<Floats>(&from.e_z[first])},
+        G{load<Floats>(&from.G_x[first]), load<Floats>(&from.G_y[first]), load<Floats>(&from.G_z[first])} {
+    weight.par = weight.perp = load<Floats>(&from.weight[first]);
     if constexpr (across == Across::own)
-      weight.perp = load<FloatLanes>(&from.weight_across[first]);
+      weight.perp = load<Floats>(&from.weight_across[first]);
   }
 };
 
-using BathLanes = Bath<FloatLanes>;
-
-/// The Ornstein-Uhlenbeck steps of eight pairs in a bath.
-template <class Law>
-[[gnu::always_inline]] inline BathLanes::Directions
-step_in(BathLanes const& bath, Law const& law, PairWeights<FloatLanes> const& weight, double dt) {
+/// The Ornstein-Uhlenbeck steps of pairs in their baths.
+template <class Law, class Floats>
+[[gnu::always_inline]] inline typename Bath<Floats>::Directions
+step_in(Bath<Floats> const& bath, Law const& law, PairWeights<Floats> const& weight, double dt) {
   auto const [a_par, a_perp] = law.coefficients(weight);
   if constexpr (Law::across == Across::none)
-    return {bath.step(a_par, dt), {FloatLanes{}, FloatLanes{}}};
+    return {bath.step(a_par, dt), {Floats{}, Floats{}}};
   else
     return bath.step(a_par, a_perp, law.par_is_twice_perp(), dt);
 }
 
 /// The change of the relative velocity v.
-template <Across across>
-[[gnu::always_inline]] inline VectorLanes<FloatLanes> velocity_change(BathLanes::Directions const& step,
-                                                                      InputLanes<across> const& input,
-                                                                      VectorLanes<FloatLanes> const& v) {
+template <Across across, class Floats>
+[[gnu::always_inline]] inline VectorLanes<Floats>
+velocity_change(typename Bath<Floats>::Directions const& step, InputLanes<across, Floats> const& input,
+                VectorLanes<Floats> const& v) {
   auto const& [par, perp] = step;
   auto const &e = input.e, &G = input.G;
   if constexpr (across == Across::none) {
-    FloatLanes const along = par.decay * dot(e, v) + par.kick() * dot(e, G);
+    Floats const along = par.decay * dot(e, v) + par.kick() * dot(e, G);
     return {along * e.x, along * e.y, along * e.z};
   } else {
-    FloatLanes const kick = perp.kick();
-    FloatLanes const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * dot(e, G);
+    Floats const kick = perp.kick();
+    Floats const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * dot(e, G);
     return {perp.decay * v.x + kick * G.x + along * e.x, perp.decay * v.y + kick * G.y + along * e.y,
             perp.decay * v.z + kick * G.z + along * e.z};
   }

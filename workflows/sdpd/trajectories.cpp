@@ -44,12 +44,12 @@ Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& fold
   auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
              xyz = folder / "trajectory.xyz";
   if (schedule_.trajectory_every > 0)
-    h5md_ =
-        resume ? H5mdWriter::continue_file(h5, h5md_units(si_)) : H5mdWriter(h5, h5md_units(si_), provenance);
+    h5md_.emplace(resume ? H5mdWriter::continue_file(h5, h5md_units(si_))
+                         : H5mdWriter(h5, h5md_units(si_), provenance));
   if (schedule_.vtkhdf_every > 0)
-    vtkhdf_ = resume ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance);
+    vtkhdf_.emplace(resume ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)
-    xyz_ = resume ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz);
+    xyz_.emplace(resume ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz));
 }
 
 std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) const {
