@@ -14,6 +14,8 @@ namespace {
 
 template <class T>
 void reorder(std::vector<T>& values, std::span<Index const> order, int threads) {
+  if (values.empty())
+    return; // the method has no such quantity
   std::vector<T> sorted(values.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < order.size(); ++k)

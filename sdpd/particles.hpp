@@ -9,7 +9,8 @@ namespace mesobridge::sdpd {
 using Index = std::uint32_t;
 
 /// The particles of one size, as a structure of arrays in reduced units (mass 1). The order in memory follows
-/// the cells and changes when lists are renewed; `id` says who is who.
+/// the cells and changes when lists are renewed; `id` says who is who. Arrays that the method does not need
+/// are empty: DPDE has no densities, DPD no internal energies either.
 struct Particles {
   std::vector<std::uint32_t> id;
   std::vector<Vec3> q;     ///< position; leaves the box between two renewals of the lists
@@ -24,9 +25,12 @@ struct Particles {
 
   std::size_t size() const { return id.size(); }
 
-  void resize(std::size_t n) {
-    id.resize(n), q.resize(n), p.resize(n), eps.resize(n), rho.resize(n), S.resize(n);
-    T.resize(n), P.resize(n), f.resize(n), caloric.resize(n);
+  void resize(std::size_t n, bool energies = true, bool densities = true) {
+    id.resize(n), q.resize(n), p.resize(n), f.resize(n);
+    if (energies)
+      eps.resize(n), T.resize(n), caloric.resize(n);
+    if (densities)
+      rho.resize(n), S.resize(n), P.resize(n);
   }
 };
 

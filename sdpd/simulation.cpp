@@ -1,6 +1,7 @@
 #include "sdpd/simulation.hpp"
 #include "sdpd/random.hpp"
 #include "sdpd/step/conservative.hpp"
+#include "sdpd/step/pair_forces.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -10,6 +11,8 @@ namespace {
 /// skin, slow ones a narrow one. The lower bound and the factor were chosen by timing the ideal gas
 /// and argon at K = 100, where 0.35 ... 0.5 cost the same.
 double skin_of(SimulationSettings const& s) {
+  if (s.pair_fluid && s.skin == 0)
+    return std::clamp(10 * s.dt * std::sqrt(3.0), 0.15, 0.4) * s.range();
   return s.skin > 0 ? s.skin : std::clamp(20 * s.dt * std::sqrt(3 / s.K), 0.3, 0.7);
 }
 
@@ -17,10 +20,11 @@ std::size_t particle_count(SimulationSettings const& s) {
   return std::size_t{s.lattice[0]} * s.lattice[1] * s.lattice[2];
 }
 
-/// Positions on a simple cubic lattice of spacing 1 (the mean distance between particles) with Gaussian
+/// Positions on a simple cubic lattice whose spacing is the mean distance between particles, with Gaussian
 /// displacements, ids in its order.
 void place_on_lattice(Particles& particles, SimulationSettings const& settings) {
   NoiseSource const source(settings.seed, Stream::initial_positions, 0);
+  double const spacing = settings.spacing();
   auto const [n_x, n_y, n_z] = settings.lattice;
   std::uint32_t id = 0;
   for (std::uint32_t z = 0; z < n_z; ++z)
@@ -28,7 +32,8 @@ void place_on_lattice(Particles& particles, SimulationSettings const& settings) 
       for (std::uint32_t x = 0; x < n_x; ++x, ++id) {
         auto const G = gaussians_reference(source, id, 0);
         particles.id[id] = id;
-        particles.q[id] = Vec3{x + 0.5, y + 0.5, z + 0.5} + settings.disorder * Vec3{G[0], G[1], G[2]};
+        particles.q[id] =
+            spacing * (Vec3{x + 0.5, y + 0.5, z + 0.5} + settings.disorder * Vec3{G[0], G[1], G[2]});
       }
 }
 
@@ -65,28 +70,56 @@ AnyConduction conduction_of(SimulationSettings const& s) {
   return SdpdConduction(s.kappa / s.units().conductivity(), noise_boltzmann(s));
 }
 
-std::unique_ptr<System> build(SimulationSettings const& s) {
+Box box_of(SimulationSettings const& s) {
+  return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
+}
+
+System sdpd_system(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
-  Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
-  double const h = s.h_factor;
-  AnyKernel const kernel = make_kernel(s.kernel, h, s.density_correction.scale);
-  auto system = std::make_unique<System>(System{
-      .box = box,
-      .thermodynamics = make_thermodynamics(s.eos, units),
-      .kernel = kernel,
-      .self_density = self_density(kernel, s.density_correction),
-      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
-      .conduction = conduction_of(s),
-      .neighbours = Neighbours(box, h, skin_of(s), s.threads),
-      .particles = {},
-      .boltzmann = 1 / s.K,
-      .seed = s.seed,
-      .threads = s.threads,
-      .block_virial = {},
-      .energy_gain = {},
-      .impulse = {},
-  });
-  system->particles.resize(particle_count(s));
+  AnyKernel const kernel = make_kernel(s.kernel, s.h_factor, s.density_correction.scale);
+  return {.box = box_of(s),
+          .thermodynamics = make_thermodynamics(s.eos, units),
+          .kernel = kernel,
+          .self_density = self_density(kernel, s.density_correction),
+          .potential = NoPotential{},
+          .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
+          .conduction = conduction_of(s),
+          .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
+          .particles = {},
+          .boltzmann = 1 / s.K,
+          .seed = s.seed,
+          .threads = s.threads,
+          .block_virial = {},
+          .block_energy = {},
+          .energy_gain = {},
+          .impulse = {}};
+}
+
+System pair_fluid_system(SimulationSettings const& s) {
+  ReducedUnits const units = s.units();
+  auto const& fluid = *s.pair_fluid;
+  return {.box = box_of(s),
+          .thermodynamics =
+              fluid.follows_energy() ? make_thermodynamics(*fluid.internal_energy, units) : nullptr,
+          .kernel = CubicKernel(s.range()),
+          .self_density = 0,
+          .potential = fluid.reduced_potential(units),
+          .law = fluid.law(units),
+          .conduction = std::monostate(),
+          .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
+          .particles = {},
+          .boltzmann = 1,
+          .seed = s.seed,
+          .threads = s.threads,
+          .block_virial = {},
+          .block_energy = {},
+          .energy_gain = {},
+          .impulse = {}};
+}
+
+std::unique_ptr<System> build(SimulationSettings const& s) {
+  auto system = std::make_unique<System>(s.pair_fluid ? pair_fluid_system(s) : sdpd_system(s));
+  system->particles.resize(particle_count(s), system->has_energies(), system->has_densities());
   place_on_lattice(system->particles, s);
   if (s.noise)
     draw_momenta(system->particles, system->boltzmann, s.seed);
@@ -94,18 +127,32 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
   return system;
 }
 
+/// Thermodynamics and forces that belong to positions, with `thermodynamics` for what has energies.
+template <class F>
+void refresh_by(System& system, F const& thermodynamics) {
+  if (system.has_densities())
+    find_pairs_and_densities(system);
+  if (system.has_energies())
+    thermodynamics(system);
+  if (system.has_densities())
+    find_forces(system);
+  else
+    find_pair_forces(system);
+}
+
 /// Lists, densities, thermodynamics and forces from positions and energies.
 void refresh(System& system) {
   refresh_lists(system);
-  find_pairs_and_densities(system);
-  thermodynamics_from_energy(system);
-  find_forces(system);
+  refresh_by(system, thermodynamics_from_energy);
   system.kept_energy = total_energy(system);
 }
 
 void set_energies_from_temperatures(System& system) {
+  if (!system.has_energies())
+    return;
   refresh_lists(system);
-  find_pairs_and_densities(system);
+  if (system.has_densities())
+    find_pairs_and_densities(system);
   Failure failure;
   for_each_range(system, [&](Range range) {
     system.thermodynamics->energy_from_temperature(system.particles, range, failure);
@@ -114,7 +161,7 @@ void set_energies_from_temperatures(System& system) {
 }
 
 std::vector<double> heat_capacities(System const& system) {
-  std::vector<double> C(system.size());
+  std::vector<double> C(system.particles.eps.size());
   for (std::size_t i = 0; i < C.size(); ++i)
     C[i] = system.thermodynamics->heat_capacity(system.particles, static_cast<Index>(i));
   return C;
@@ -139,20 +186,43 @@ MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
 
 } // namespace
 
-void check(SimulationSettings const& s) {
-  require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
-  require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
+namespace {
+
+void check_sdpd(SimulationSettings const& s) {
   bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
   require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
           ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
                 : "must be >= 1");
-  require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   auto const& [scale, self] = s.density_correction;
   require(scale > 0 && std::isfinite(scale), "density correction scale", scale, "must be > 0 and finite");
   require(self < scale && self > -scale, "density correction self", self,
           "must lie between -scale and scale");
   make_kernel(s.kernel, s.h_factor);
+  auto const units = s.units();
+  SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity());
+  require(s.kappa >= 0 && std::isfinite(s.kappa), "thermal conductivity kappa", s.kappa, "must be >= 0");
+  if (!s.noise && s.scheme.pairs == PairScheme::ems)
+    throw InputError("scheme ems without noise: there is nothing to put to a Metropolis test; take ssa");
+}
+
+void check_pair_fluid(SimulationSettings const& s) {
+  check(*s.pair_fluid);
+  require(s.noise, "noise", s.noise, "DPD and DPDE need their noise");
+  require(s.kappa == 0, "thermal conductivity kappa", s.kappa, "is a property of SDPD's fluid");
+  bool const rejects = s.scheme.pairs == PairScheme::ams || s.scheme.pairs == PairScheme::ems;
+  require(s.pair_fluid->follows_energy() || !rejects, "scheme", rejects ? "ams or ems" : "",
+          "DPD has no internal energies, so there is no step to reject: take ssa or ser");
+  require(s.pair_fluid->follows_energy() || !s.scheme.keep_energy, "energy", "kept",
+          "DPD has no internal energies that could give or take energy");
+}
+
+} // namespace
+
+void check(SimulationSettings const& s) {
+  require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
+  require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
+  require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
   require(s.skin >= 0 && std::isfinite(s.skin), "skin", s.skin, "must be >= 0");
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
   require(s.scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",
@@ -161,13 +231,8 @@ void check(SimulationSettings const& s) {
           "must lie in 0 ... 0.5 lattice spacings");
   for (auto const n : s.lattice)
     require(n >= 1, "particles along an edge", n, "must be >= 1");
-  auto const units = s.units();
-  SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity());
-  require(s.kappa >= 0 && std::isfinite(s.kappa), "thermal conductivity kappa", s.kappa, "must be >= 0");
-  if (!s.noise && s.scheme.pairs == PairScheme::ems)
-    throw InputError("scheme ems without noise: there is nothing to put to a Metropolis test; take ssa");
-  Box const box{{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
-  CellGrid(box, s.h_factor + skin_of(s));
+  s.pair_fluid ? check_pair_fluid(s) : check_sdpd(s);
+  CellGrid(box_of(s), s.range() + skin_of(s));
 }
 
 std::unique_ptr<System> make_system(SimulationSettings const& settings) {
@@ -178,7 +243,17 @@ std::unique_ptr<System> make_system(SimulationSettings const& settings) {
   return system;
 }
 
+double SimulationSettings::spacing() const {
+  return pair_fluid ? std::cbrt(pair_fluid->mass / rho) / units().length() : 1;
+}
+
+double SimulationSettings::range() const {
+  return pair_fluid ? pair_fluid->range() / units().length() : h_factor;
+}
+
 ReducedUnits SimulationSettings::units() const {
+  if (pair_fluid)
+    return pair_fluid->units(T);
   return std::visit(
       [this](auto const& model) {
         return ReducedUnits{.K = K,
@@ -203,7 +278,10 @@ void Simulation::advance(std::uint64_t steps) {
     step(*system_, scheme_, dt_);
 }
 Observation Simulation::observe() const {
-  return sdpd::observe(system_->particles, system_->box, system_->virial, system_->boltzmann, system_->step);
+  return sdpd::observe(*system_);
+}
+bool Simulation::has_thermostat() const {
+  return !system_->has_energies();
 }
 Box const& Simulation::box() const {
   return system_->box;
@@ -228,12 +306,16 @@ double Simulation::neighbours() const {
 Snapshot Simulation::snapshot() const {
   auto const& particles = system_->particles;
   std::size_t const n = particles.size();
-  Snapshot s{std::vector<Vec3>(n),   std::vector<Vec3>(n),   std::vector<double>(n),
-             std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  std::size_t const energies = particles.eps.size(), densities = particles.rho.size();
+  Snapshot s{std::vector<Vec3>(n),           std::vector<Vec3>(n),          std::vector<double>(energies),
+             std::vector<double>(densities), std::vector<double>(energies), std::vector<double>(densities)};
   for (std::size_t i = 0; i < n; ++i) {
     auto const id = particles.id[i];
-    s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i], s.eps[id] = particles.eps[i];
-    s.rho[id] = particles.rho[i], s.T[id] = particles.T[i], s.P[id] = particles.P[i];
+    s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i];
+    if (energies > 0)
+      s.eps[id] = particles.eps[i], s.T[id] = particles.T[i];
+    if (densities > 0)
+      s.rho[id] = particles.rho[i], s.P[id] = particles.P[i];
   }
   return s;
 }
@@ -255,8 +337,9 @@ void Simulation::scale_momenta(double factor) {
 void Simulation::draw_temperatures() {
   auto& particles = system_->particles;
   std::fill(particles.T.begin(), particles.T.end(), 1.0);
-  if (units_.K >= 50) {
-    auto const C = heat_capacities(*system_);
+  auto const C = heat_capacities(*system_);
+  bool const small = system_->has_densities() ? units_.K < 50 : C.front() < 50;
+  if (!small) {
     NoiseSource const source(system_->seed, Stream::initial_energies, system_->step);
     for (std::size_t i = 0; i < particles.size(); ++i) // C counts in K k_B
       particles.T[i] += std::sqrt(1 / (units_.K * C[i])) * gaussians_reference(source, particles.id[i], 0)[0];
@@ -285,9 +368,11 @@ Checkpoint Simulation::checkpoint() const {
 void Simulation::restore(Checkpoint const& c) {
   auto& particles = system_->particles;
   std::size_t const n = size();
-  for (auto const length :
-       {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size(), c.eps.size(), c.T.size()})
+  for (auto const length : {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size()})
     require(length == n, "particles in the checkpoint", length, fmt::format("must be {} as in the scene", n));
+  for (auto const length : {c.eps.size(), c.T.size()})
+    require(length == particles.eps.size(), "internal energies in the checkpoint", length,
+            fmt::format("must be {} as in the scene", particles.eps.size()));
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
   particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
   particles.q = c.q_at_renewal;
@@ -296,12 +381,15 @@ void Simulation::restore(Checkpoint const& c) {
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
-  find_pairs_and_densities(*system_);
-  thermodynamics_from_temperature(*system_);
-  find_forces(*system_);
+  refresh_by(*system_, thermodynamics_from_temperature);
 }
 
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
+  if (simulation.has_thermostat()) {
+    if (steps > 0)
+      run_and_average(simulation, steps, keep_going);
+    return;
+  }
   // Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps.
   std::array<double, 6> const shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, 0.5};
   std::uint64_t done = 0;

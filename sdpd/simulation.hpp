@@ -2,6 +2,7 @@
 #include "fitting/eos/list.hpp"
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/observe/observation.hpp"
+#include "sdpd/pair_fluid.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include <array>
 #include <functional>
@@ -15,7 +16,7 @@ struct System;
 /// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the equation of state
 /// (SI, but for reduced models), except where it says reduced.
 struct SimulationSettings {
-  fitting::AnyEos eos;
+  fitting::AnyEos eos = fitting::IdealGas(1);
   double rho = 0; ///< mean density, > 0
   double T = 0;   ///< set temperature, > 0
   double K = 0;   ///< size of a particle in atoms or molecules, >= 1 (> 1 for the ideal gas)
@@ -35,8 +36,13 @@ struct SimulationSettings {
   Scheme scheme = {};
   std::uint64_t seed = 1;
   int threads = 1;
+  /// For DPD and DPDE. The equation of state, K, the kernel, density correction, support and viscosities
+  /// above are SDPD's: they are not used then; rho is the mass per volume.
+  std::optional<PairFluid> pair_fluid = {};
 
   ReducedUnits units() const;
+  double spacing() const; ///< mean distance between particles, reduced: 1 for SDPD
+  double range() const;   ///< of the interaction, reduced
 };
 
 /// Throws InputError that names the quantity that is out of bounds.
@@ -61,10 +67,10 @@ struct Checkpoint {
 struct Snapshot {
   std::vector<Vec3> q; ///< in the box
   std::vector<Vec3> p;
-  std::vector<double> eps, rho, T, P;
+  std::vector<double> eps, rho, T, P; ///< empty where the method has none
 };
 
-/// An SDPD fluid in a periodic box, integrated by Velocity Verlet and a
+/// An SDPD, DPDE or DPD fluid in a periodic box, integrated by Velocity Verlet and a
 /// scheme for fluctuation and dissipation. All results in reduced units
 /// (units()). Results are identical to the bit for any number of threads.
 class Simulation {
@@ -85,7 +91,8 @@ class Simulation {
   bool has_noise() const { return has_noise_; }
   Box const& box() const;
   std::size_t size() const;
-  double neighbours() const; ///< mean number per particle within the kernel's support
+  bool has_thermostat() const; ///< DPD: friction and noise keep the set temperature, not the energy
+  double neighbours() const;   ///< mean number per particle within the kernel's support
   std::uint64_t list_renewals() const;
   /// Steps of pairs since the start, and those that were not made.
   PairCounts pair_counts() const;
@@ -98,8 +105,8 @@ class Simulation {
   double heat_capacity() const;
   void scale_momenta(double factor);
   /// Draws every particle's temperature anew from its equilibrium law at its density, a Gaussian of relative
-  /// width (k_B/C)^(1/2) about the set one (from K = 50 on; smaller particles, which settle fast, get the set
-  /// temperature).
+  /// width (k_B/C)^(1/2) about the set one (from K = 50 or, for DPDE, C = 50 k_B on; smaller particles, which
+  /// settle fast, get the set temperature).
   void draw_temperatures();
 
   Checkpoint checkpoint() const;
@@ -114,11 +121,11 @@ class Simulation {
   std::unique_ptr<System> system_;
 };
 
-/// Brings a fresh simulation to equilibrium at its set temperature: runs of growing length, after each of
-/// which the difference between the mean temperature of the run and the set one is taken out as heat. Ends
-/// with a microcanonical system whose mean temperature is the set one within the noise of the last run (half
-/// of all steps). Without noise only the mean internal temperature is set. `keep_going` is asked now and
-/// then; when it says no, Interrupted is thrown.
+/// Brings a fresh simulation to equilibrium at its set temperature. One with a thermostat simply runs. Else:
+/// runs of growing length, after each of which the difference between the mean temperature of the run and the
+/// set one is taken out as heat. Ends with a microcanonical system whose mean temperature is the set one
+/// within the noise of the last run (half of all steps). Without noise only the mean internal temperature is
+/// set. `keep_going` is asked now and then; when it says no, Interrupted is thrown.
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going);
 
 } // namespace mesobridge::sdpd

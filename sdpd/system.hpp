@@ -2,6 +2,7 @@
 #include "sdpd/neighbours.hpp"
 #include "sdpd/pair/heat_conduction.hpp"
 #include "sdpd/pair/list.hpp"
+#include "sdpd/pair/potential.hpp"
 #include "sdpd/pair_scheme.hpp"
 #include "sdpd/thermodynamics.hpp"
 #include <algorithm>
@@ -12,11 +13,12 @@ namespace mesobridge::sdpd {
 /// in reduced units (theory sheet, Eq. 2.20), where masses are 1 and k_B = 1/K.
 struct System {
   Box box;
-  std::unique_ptr<Thermodynamics const> thermodynamics;
-  AnyKernel kernel;
-  double self_density; ///< what a particle adds to its own density
-  AnyPairLaw law;      ///< friction and noise
-  AnyConduction conduction;
+  std::unique_ptr<Thermodynamics const> thermodynamics; ///< none in DPD
+  AnyKernel kernel;                                     ///< SDPD
+  double self_density;                                  ///< what a particle adds to its own density
+  AnyPotential potential;                               ///< DPD, DPDE
+  AnyPairLaw law;                                       ///< friction and noise
+  AnyConduction conduction;                             ///< of heat, SDPD
   Neighbours neighbours;
   Particles particles;
   double boltzmann;
@@ -29,11 +31,18 @@ struct System {
   PairCounts pair_counts;           ///< since the start
   PairCounts conduction_counts;     ///< the same of heat conduction
   double kept_energy = 0;           ///< the total energy that Scheme::keep_energy restores
-  std::vector<double> block_virial; ///< its parts, kept so that no step allocates
-  std::vector<double> energy_gain;  ///< of the particles since their caloric expansions began, during a sweep
-  std::vector<Vec3> impulse;        ///< given to the particles by a sweep of SER
+  double potential_energy = 0;      ///< of the pair potential
+  std::vector<double> block_virial; ///< parts of both, kept so that no step allocates
+  std::vector<double> block_energy;
+  std::vector<double> energy_gain; ///< of the particles since their caloric expansions began, during a sweep
+  std::vector<Vec3> impulse;       ///< given to the particles by a sweep of SER
 
   std::size_t size() const { return particles.size(); }
+
+  bool has_densities() const { return std::holds_alternative<SdpdLaw>(law); }
+  bool has_energies() const {
+    return std::visit([](auto const& of) { return of.has_energies; }, law);
+  }
 
   /// Throws PhysicsError that names the particle, the step and the time step, if there was a failure.
   void stop_at(Failure const& failure) const {

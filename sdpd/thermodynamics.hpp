@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/list.hpp"
+#include "fitting/internal_energy.hpp"
 #include "sdpd/failure.hpp"
 #include "sdpd/particles.hpp"
 #include "sdpd/units.hpp"
@@ -45,6 +46,10 @@ class Thermodynamics {
 
 /// For particles of the size in `units`.
 std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& eos,
+                                                          ReducedUnits const& units);
+
+/// For particles without densities (DPDE); k_B is 1.
+std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyInternalEnergy const& internal_energy,
                                                           ReducedUnits const& units);
 
 } // namespace mesobridge::sdpd

@@ -2,27 +2,31 @@
 
 namespace mesobridge::sdpd {
 
-Observation observe(Particles const& particles, Box const& box, double virial, double boltzmann,
-                    std::uint64_t step) {
+Observation observe(System const& system) {
+  auto const& particles = system.particles;
   std::size_t const n = particles.size();
   std::vector<Index> place(n);
   for (std::size_t i = 0; i < n; ++i)
     place[particles.id[i]] = static_cast<Index>(i);
   Observation sum;
-  sum.step = step;
+  sum.step = system.step;
+  sum.potential = system.potential_energy;
+  bool const densities = system.has_densities(), energies = system.has_energies();
   for (Index const i : place) {
     sum.kinetic += 0.5 * norm2(particles.p[i]);
-    sum.internal += particles.eps[i];
-    sum.T_int += particles.T[i];
-    sum.rho += particles.rho[i];
     sum.momentum += particles.p[i];
+    if (energies)
+      sum.internal += particles.eps[i], sum.T_int += densities ? particles.T[i] : 1 / particles.T[i];
+    if (densities)
+      sum.rho += particles.rho[i];
   }
-  double const count = static_cast<double>(n);
+  double const count = static_cast<double>(n), volume = system.box.volume();
   double const thermal = sum.kinetic - 0.5 * norm2(sum.momentum) / count; // without the motion of the whole
-  sum.T_kin = 2 * thermal / (3 * (count - 1) * boltzmann);
-  sum.T_int /= count;
-  sum.rho /= count;
-  sum.P = count * boltzmann * sum.T_kin / box.volume() + virial / (3 * box.volume());
+  sum.T_kin = 2 * thermal / (3 * (count - 1) * system.boltzmann);
+  if (energies)
+    sum.T_int = densities ? sum.T_int / count : count / sum.T_int;
+  sum.rho = densities ? sum.rho / count : count / volume;
+  sum.P = count * system.boltzmann * sum.T_kin / volume + system.virial / (3 * volume);
   return sum;
 }
 

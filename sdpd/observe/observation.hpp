@@ -6,21 +6,23 @@ namespace mesobridge::sdpd {
 /// The state of the whole system at one instant, in reduced units.
 struct Observation {
   std::uint64_t step = 0;
-  double kinetic = 0;  ///< sum p^2/2m
-  double internal = 0; ///< sum eps
+  double kinetic = 0;   ///< sum p^2/2m
+  double internal = 0;  ///< sum eps
+  double potential = 0; ///< of the pair potential
   double T_kin =
       0; ///< kinetic temperature, of the 3(N-1) degrees of freedom that a fixed total momentum leaves
-  double T_int = 0; ///< arithmetic mean of T_i
-  double P = 0;     ///< N k_B T_kin / V + virial / 3V
-  double rho = 0;   ///< mean of the particles' densities
-  Vec3 momentum;    ///< total
+  /// Internal temperature: the arithmetic mean of T_i for SDPD, the harmonic one for DPDE (theory sheet,
+  /// sections 1, 2), 0 for DPD, which has none.
+  double T_int = 0;
+  double P = 0;   ///< N k_B T_kin / V + virial / 3V
+  double rho = 0; ///< mean of the particles' densities; mass per volume where they have none
+  Vec3 momentum;  ///< total
 
-  double energy() const { return kinetic + internal; }
+  double energy() const { return kinetic + internal + potential; }
 };
 
 /// Sums in the order of the ids, so that the result does not depend on the threads nor on the order in
 /// memory.
-Observation observe(Particles const& particles, Box const& box, double virial, double boltzmann,
-                    std::uint64_t step);
+Observation observe(System const& system);
 
 } // namespace mesobridge::sdpd

@@ -19,7 +19,11 @@ class PowerFriction {
     require(cutoff > 0 && std::isfinite(cutoff), "friction cutoff", cutoff, "must be > 0 and finite");
     require(exponent > 0 && exponent <= 20, "friction exponent", exponent, "must be > 0 and <= 20");
   }
+  PowerFriction in_units(double length, double friction) const {
+    return {par_ / friction, perp_ / friction, 1 / (inverse_cutoff_ * length), exponent_};
+  }
   bool has_across() const { return perp_ > 0; }
+  double cutoff() const { return 1 / inverse_cutoff_; }
 
   template <class X>
   [[gnu::always_inline]] PairWeights<X> operator()(X const& r) const {
@@ -39,6 +43,9 @@ class TabulatedFriction {
   /// r rising, gamma >= 0; an empty `perp` is friction along the line of centres alone. Throws InputError.
   TabulatedFriction(std::vector<double> const& r, std::vector<double> const& par,
                     std::vector<double> const& perp);
+  TabulatedFriction in_units(double length, double friction) const {
+    return {has_across_, table_.scaled(1 / length, 1 / friction)};
+  }
   bool has_across() const { return has_across_; }
   double cutoff() const { return table_.end(); }
 
@@ -51,6 +58,8 @@ class TabulatedFriction {
   }
 
  private:
+  TabulatedFriction(bool has_across, UniformTable table)
+      : has_across_(has_across), table_(std::move(table)) {}
   bool has_across_;
   UniformTable table_;
 };

@@ -80,6 +80,26 @@ template <class Floats>
   return exponent * ln2_high + (2.0 * f + (2.0 * f * z * series + exponent * ln2_low));
 }
 
+[[gnu::always_inline]] inline double exponential(double x) {
+  return std::exp(x);
+}
+
+/// exp(x) for |x| < 700, to a few units of round-off: with n the integer nearest to x/ln 2 and f = x - n ln 2
+/// in [-0.35, 0.35], 2^n times the series of exp(f).
+[[gnu::always_inline]] inline Lanes exponential(Lanes const& x) {
+  constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
+  constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
+  Lanes const n = (x * 1.44269504088896340736 + to_integer) - to_integer;
+  Lanes const f = (x - n * ln2_high) - n * ln2_low;
+  Lanes series = broadcast(1.0 / 6227020800); // 1/13!
+  for (double const inverse_factorial :
+       {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
+        1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
+    series = inverse_factorial + f * series;
+  LongLanes const bits = (__builtin_convertvector(n, LongLanes) + 1023) << 52;
+  return series * load<Lanes>(&bits);
+}
+
 /// x^s for 0 < x <= 1 and s > 0.
 [[gnu::always_inline]] inline double power(double x, double s) {
   return std::pow(x, s);

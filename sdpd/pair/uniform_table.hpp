@@ -19,8 +19,18 @@ class UniformTable {
     for (std::size_t k = 0; k < intervals; ++k)
       rows_[k] = coefficients(begin + static_cast<double>(k) * width, width);
   }
+  /// Distances and coefficients multiplied by these.
+  UniformTable scaled(double distances, double coefficients) const {
+    UniformTable table(*this);
+    table.begin_ *= distances, table.end_ *= distances, table.per_width_ /= distances;
+    for (auto& row : table.rows_)
+      row *= coefficients;
+    return table;
+  }
+
   double begin() const { return begin_; }
   double end() const { return end_; }
+  double per_width() const { return per_width_; }
 
   /// The coefficients at r with the place in its interval, t in 0 ... 1. Beyond its ends the table gives its
   /// first coefficients at t = 0 and its last at t = 1.

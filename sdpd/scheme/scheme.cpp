@@ -2,6 +2,7 @@
 #include "sdpd/step/conduction.hpp"
 #include "sdpd/step/conservative.hpp"
 #include "sdpd/step/fluctuation.hpp"
+#include "sdpd/step/pair_forces.hpp"
 #include <numeric>
 
 namespace mesobridge::sdpd {
@@ -20,13 +21,28 @@ double sum_over_particles(System const& system, F const& f) {
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
+/// The forces at new positions: by densities at constant entropies (SDPD), or from the pair potential.
+void follow_positions(System& system) {
+  if (!system.has_densities())
+    return find_pair_forces(system);
+  find_pairs_and_densities(system);
+  thermodynamics_from_entropy(system);
+  find_forces(system);
+}
+
+/// Temperatures, and the forces that depend on them, at new internal energies.
+void follow_energies(System& system) {
+  if (system.has_energies())
+    thermodynamics_from_energy(system);
+  if (system.has_densities())
+    find_forces(system);
+}
+
 void verlet_step(System& system, double dt) {
   kick(system, dt / 2);
   drift(system, dt);
   refresh_lists(system);
-  find_pairs_and_densities(system);
-  thermodynamics_from_entropy(system);
-  find_forces(system);
+  follow_positions(system);
   kick(system, dt / 2);
 }
 
@@ -57,16 +73,19 @@ void fluctuation_step(System& system, Scheme const& scheme, double dt, bool seco
   }
   if (scheme.keep_energy)
     restore_energy(system);
-  thermodynamics_from_energy(system);
-  find_forces(system);
+  follow_energies(system);
 }
 
 } // namespace
 
 double total_energy(System const& system) {
   auto const& particles = system.particles;
-  return sum_over_particles(system,
-                            [&](std::size_t i) { return particles.eps[i] + 0.5 * norm2(particles.p[i]); });
+  if (!system.has_energies())
+    return system.potential_energy +
+           sum_over_particles(system, [&](std::size_t i) { return 0.5 * norm2(particles.p[i]); });
+  return system.potential_energy + sum_over_particles(system, [&](std::size_t i) {
+           return particles.eps[i] + 0.5 * norm2(particles.p[i]);
+         });
 }
 
 void step(System& system, Scheme const& scheme, double dt) {

@@ -28,7 +28,8 @@ struct Scheme {
 /// leaves the equation of state.
 void step(System& system, Scheme const& scheme, double dt);
 
-/// Total energy, kinetic and internal; summed in an order that does not depend on the threads.
+/// Total energy, kinetic, internal and of the pair potential; summed in an order that does not depend on the
+/// threads.
 double total_energy(System const& system);
 
 } // namespace mesobridge::sdpd

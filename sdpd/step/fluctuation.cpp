@@ -265,10 +265,12 @@ class BlockSweep {
     auto const a = block_.ids()[pair.i], b = block_.ids()[pair.j];
     double const uniform =
         acceptance_uniform(sweep_.noise.acceptance, std::min(a, b), std::max(a, b), inputs_.bits[k]);
-    double const weight = inputs_.weight[k];
-    double const across = Law::across == Across::own ? inputs_.weight_across[k] : weight;
+    double const par = inputs_.weight[k];
+    double perp = Law::across == Across::none ? 0 : par;
+    if constexpr (Law::across == Across::own)
+      perp = inputs_.weight_across[k];
     ExactPair<Law>(system_, block_, pair)
-        .step(scheme, {.e = {inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]}, .weight = {weight, across}},
+        .step(scheme, {.e = {inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]}, .weight = {par, perp}},
               {.G = {inputs_.G_x[k], inputs_.G_y[k], inputs_.G_z[k]}, .uniform = uniform}, sweep_, counts_);
   }
 

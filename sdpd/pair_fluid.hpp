@@ -1,0 +1,33 @@
+#pragma once
+#include "fitting/internal_energy.hpp"
+#include "sdpd/pair/list.hpp"
+#include "sdpd/pair/potential.hpp"
+#include "sdpd/units.hpp"
+#include <optional>
+
+namespace mesobridge::sdpd {
+
+/// What the particles of DPD and DPDE have in place of an equation of state, a kernel and viscosities. In the
+/// units of the settings (SI, or any set of units with k_B = 1).
+struct PairFluid {
+  double mass;          ///< of a particle, > 0
+  double boltzmann = 1; ///< k_B
+  AnyPotential potential;
+  AnyFrictionShape friction;                                 ///< friction coefficients at the set temperature
+  std::optional<fitting::AnyInternalEnergy> internal_energy; ///< DPDE; without it DPD
+
+  bool follows_energy() const { return internal_energy.has_value(); }
+  double friction_cutoff() const;
+  /// The larger cut-off of the potential and the friction.
+  double range() const;
+
+  /// The customary units of DPD: m, the friction's cut-off and k_B T are one.
+  ReducedUnits units(double T) const;
+  AnyPairLaw law(ReducedUnits const& units) const;
+  AnyPotential reduced_potential(ReducedUnits const& units) const;
+};
+
+/// Throws InputError that names the quantity that is out of bounds.
+void check(PairFluid const& fluid);
+
+} // namespace mesobridge::sdpd

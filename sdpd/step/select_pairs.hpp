@@ -1,0 +1,18 @@
+#pragma once
+#include "sdpd/block_copy.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Working memory of select_pairs.
+struct SelectionScratch {
+  std::vector<double> r2;            ///< |r|^2 of the pairs in range
+  std::vector<std::uint32_t> before; ///< pairs in range before each group of candidates
+  std::vector<std::uint8_t> bits;    ///< which of a group are in range
+};
+
+/// Picks the pairs in range of a block, whose particles' positions are in `rows`, from its candidates, with
+/// their |r|^2. Returns how many there are.
+std::size_t select_pairs(Neighbours& neighbours, std::size_t block, std::vector<Row> const& rows,
+                         SelectionScratch& scratch);
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,182 @@
+#include "pair_fluid_fixtures.hpp"
+#include "sdpd/step/pair_forces.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::sdpd {
+namespace {
+
+TabulatedPotential lj_table(bool with_force) {
+  LennardJones const lj(1, 1, 2.5);
+  std::vector<double> r, u, f;
+  for (double x = 0.7; x < 2.5; x += 0.01) {
+    auto const [energy, strength] = lj(x, 1 / x);
+    r.push_back(x), u.push_back(energy), f.push_back(strength * x);
+  }
+  return with_force ? TabulatedPotential(r, u, f) : TabulatedPotential(r, u);
+}
+
+struct Case {
+  char const* name;
+  AnyPotential potential;
+  double from; ///< smallest distance at which it is looked at
+};
+
+class EveryPotential : public ::testing::TestWithParam<Case> {};
+
+TEST_P(EveryPotential, HasTheDerivativeOfItsEnergyAsForceAndEndsAtItsCutoff) {
+  int looked_at = 0;
+  std::visit(
+      [&]<class P>(P const& u) {
+        if constexpr (!std::is_same_v<P, NoPotential>) {
+          double const h = 1e-6;
+          for (double r = GetParam().from; r < u.cutoff() - h; r += 0.0137, ++looked_at) {
+            double const slope = (u(r + h, 1 / (r + h)).energy - u(r - h, 1 / (r - h)).energy) / (2 * h);
+            EXPECT_NEAR(-slope, u(r, 1 / r).strength * r, 1e-6 * (1 + std::abs(slope)));
+          }
+          EXPECT_NEAR(u(u.cutoff(), 1 / u.cutoff()).energy, 0, 1e-12);
+        }
+      },
+      GetParam().potential);
+  EXPECT_GT(looked_at, 20);
+}
+
+TEST_P(EveryPotential, IsTheSameInLanes) {
+  int looked_at = 0;
+  std::visit(
+      [&]<class P>(P const& u) {
+        if constexpr (!std::is_same_v<P, NoPotential>)
+          for (double r = GetParam().from; r < u.cutoff(); r += 0.0137, ++looked_at) {
+            auto const lanes = u(broadcast(r), broadcast(1 / r));
+            auto const number = u(r, 1 / r);
+            EXPECT_NEAR(lanes.energy[3], number.energy, 1e-13 * (1 + std::abs(number.energy)));
+            EXPECT_NEAR(lanes.strength[5], number.strength, 1e-12 * (1 + std::abs(number.strength)));
+          }
+      },
+      GetParam().potential);
+  EXPECT_GT(looked_at, 20);
+}
+
+TEST_P(EveryPotential, IsTheSameInOtherUnits) {
+  double const length = 3.7, energy = 0.21, r = GetParam().from + 0.1;
+  std::visit(
+      [&]<class P>(P const& u) {
+        if constexpr (!std::is_same_v<P, NoPotential>) {
+          auto const scaled = u.in_units(length, energy)(r / length, length / r), plain = u(r, 1 / r);
+          EXPECT_NEAR(scaled.energy * energy, plain.energy, 1e-12 * (1 + std::abs(plain.energy)));
+          EXPECT_NEAR(scaled.strength * energy / (length * length), plain.strength,
+                      1e-12 * (1 + std::abs(plain.strength)));
+        }
+      },
+      GetParam().potential);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Potentials, EveryPotential,
+    ::testing::Values(Case{"soft", SoftPotential(25, 1), 0.1}, Case{"lj", LennardJones(1, 1, 2.5), 0.8},
+                      Case{"wca", LennardJones::wca(1, 1), 0.8}, Case{"exp6", Exp6(1, 1.12, 14, 2.5), 0.75},
+                      Case{"table", lj_table(false), 0.75}, Case{"table_with_force", lj_table(true), 0.75}),
+    [](auto const& info) { return info.param.name; });
+
+// Values on paper.
+TEST(PairPotential, HasItsTextbookValues) {
+  LennardJones const lj(2, 1.5, 6);
+  double const minimum = std::pow(2.0, 1.0 / 6) * 1.5, shift = 8 * (std::pow(0.25, 12) - std::pow(0.25, 6));
+  EXPECT_NEAR(lj(minimum, 1 / minimum).energy, -2 - shift, 1e-12);
+  EXPECT_NEAR(lj(minimum, 1 / minimum).strength, 0, 1e-12);
+  EXPECT_NEAR(LennardJones::wca(1, 1)(1.0, 1.0).energy, 1, 1e-12); // 4 (1 - 1) + epsilon
+  EXPECT_NEAR(SoftPotential(25, 1)(0.4, 2.5).energy, 12.5 * 0.36, 1e-12);
+  EXPECT_NEAR(SoftPotential(25, 1)(0.4, 2.5).strength * 0.4, 15, 1e-12);
+  Exp6 const exp6(1, 1, 13, 10);
+  EXPECT_NEAR(exp6(1.0, 1.0).energy, -1, 1e-4); // shifted by the little that is left at 10 r_m
+  EXPECT_NEAR(exp6(1.0, 1.0).strength, 0, 1e-12);
+  double const top = exp6.inner();
+  EXPECT_NEAR(exp6(top, 1 / top).strength, 0, 1e-6);
+  EXPECT_LT(exp6(top, 1 / top).strength, exp6(top + 0.01, 1 / (top + 0.01)).strength);
+  EXPECT_GT(top, 0.1);
+}
+
+TEST(TabulatedPotential, IsItsOriginalBetweenThePoints) {
+  LennardJones const lj(1, 1, 2.5);
+  double worst_plain = 0, worst_hermite = 0;
+  auto const plain = lj_table(false), hermite = lj_table(true);
+  for (double r = 0.803; r < 2.4; r += 0.0071) {
+    auto const exact = lj(r, 1 / r);
+    double const shift = lj(plain.cutoff(), 1 / plain.cutoff()).energy, scale = 1 + std::abs(exact.strength);
+    worst_plain = std::max(worst_plain, std::abs(plain(r, 1 / r).strength - exact.strength) / scale);
+    worst_hermite = std::max(worst_hermite, std::abs(hermite(r, 1 / r).strength - exact.strength) / scale);
+    EXPECT_NEAR(hermite(r, 1 / r).energy + shift, exact.energy, 1e-4 * scale);
+  }
+  EXPECT_LT(worst_plain, 1e-3);
+  EXPECT_LT(worst_hermite, 1e-3);
+  EXPECT_GT(worst_hermite, 1e-9); // it is a table
+}
+
+TEST(TabulatedPotential, RefusesWhatIsNoTable) {
+  EXPECT_THROW(TabulatedPotential({1, 2, 2, 3}, {3, 2, 1, 0}), InputError);
+  EXPECT_THROW(TabulatedPotential({1, 2, 3}, {3, 2, 1}), InputError);
+  EXPECT_THROW(TabulatedPotential({1, 2, 3, 4}, {3, std::nan(""), 1, 0}), InputError);
+  EXPECT_THROW(Exp6(1, 1, 6.9, 3), InputError);
+  EXPECT_THROW(Exp6(1, 1, 14, 0.1), InputError);
+}
+
+class PotentialInABox : public ::testing::TestWithParam<Case> {};
+
+// Forces, energy and virial by cells, lists and lanes against a plain double loop with minimum images.
+TEST_P(PotentialInABox, GivesWhatADirectDoubleLoopGives) {
+  auto settings = dpd_fluid();
+  settings.rho = 0.8, settings.lattice = {8, 8, 7}, settings.disorder = 0.05;
+  settings.pair_fluid->potential = GetParam().potential;
+  settings.pair_fluid->friction = PowerFriction(4.5, 0, 1, 2);
+  auto const system = make_system(settings);
+  auto const& particles = system->particles;
+  std::size_t const n = particles.size();
+  std::vector<Vec3> f(n);
+  double energy = 0, virial = 0;
+  std::size_t pairs = 0;
+  std::visit(
+      [&]<class P>(P const& u) {
+        if constexpr (!std::is_same_v<P, NoPotential>)
+          for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+              Vec3 const r = system->box.minimum_image(particles.q[i] - particles.q[j]);
+              if (norm(r) >= u.cutoff())
+                continue;
+              auto const pair = u(norm(r), 1 / norm(r));
+              energy += pair.energy, virial += pair.strength * norm2(r), ++pairs;
+              f[i] += pair.strength * r, f[j] -= pair.strength * r;
+            }
+      },
+      GetParam().potential);
+  EXPECT_GT(pairs, n);
+  EXPECT_NEAR(system->potential_energy, energy, 1e-11 * (std::abs(energy) + 1));
+  EXPECT_NEAR(system->virial, virial, 1e-11 * (std::abs(virial) + 1));
+  double worst = 0, scale = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    worst = std::max(worst, norm(particles.f[i] - f[i])), scale = std::max(scale, norm(f[i]));
+  EXPECT_GT(scale, 0.1);
+  EXPECT_LT(worst, 1e-11 * scale);
+}
+
+INSTANTIATE_TEST_SUITE_P(Potentials, PotentialInABox,
+                         ::testing::Values(Case{"soft", SoftPotential(25, 1.6), 0},
+                                           Case{"lj", LennardJones(1, 1, 2.5), 0},
+                                           Case{"exp6", Exp6(1, 1.12, 14, 2.5), 0},
+                                           Case{"table", lj_table(true), 0}),
+                         [](auto const& info) { return info.param.name; });
+
+TEST(PairForces, RefuseAPairInsideTheMaximumOfExp6) {
+  auto settings = dpd_fluid();
+  settings.rho = 0.5, settings.lattice = {8, 8, 8};
+  settings.pair_fluid->potential = Exp6(1, 1.12, 14, 2.5);
+  auto const system = make_system(settings);
+  system->particles.q[0] = system->particles.q[1] + Vec3{0.05, 0, 0};
+  try {
+    find_pair_forces(*system);
+    FAIL();
+  } catch (PhysicsError const& error) {
+    EXPECT_NE(std::string(error.what()).find("where the pair potential ends"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
