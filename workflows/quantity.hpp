@@ -15,6 +15,8 @@ enum class Dimension {
   pressure,
   energy,
   viscosity,
+  friction,
+  force,
   conductivity
 };
 

@@ -30,8 +30,12 @@ Drift energy_drift(std::span<double const> times, std::span<double const> energi
 }
 
 InstantMoments moments(Snapshot const& now) {
-  auto mean = [](std::vector<double> const& x) { return gsl_stats_mean(x.data(), 1, x.size()); };
-  auto variance = [](std::vector<double> const& x) { return gsl_stats_variance(x.data(), 1, x.size()); };
+  auto mean = [](std::vector<double> const& x) {
+    return x.empty() ? 0 : gsl_stats_mean(x.data(), 1, x.size());
+  };
+  auto variance = [](std::vector<double> const& x) {
+    return x.empty() ? 0 : gsl_stats_variance(x.data(), 1, x.size());
+  };
   return {mean(now.eps), variance(now.eps), mean(now.rho), variance(now.rho), mean(now.P), variance(now.P)};
 }
 
@@ -48,18 +52,31 @@ ParticleMoments EquilibriumSampler::estimate(double InstantMoments::*mean,
   return {cg::estimate_mean(means), cg::estimate_mean(variances)};
 }
 
+/// From the mean of 1/T where the instants are harmonic means themselves.
+cg::Estimate EquilibriumSampler::internal_temperature() const {
+  if (!observables_.energies)
+    return {};
+  if (observables_.densities)
+    return cg::estimate_mean(T_int_);
+  std::vector<double> inverse;
+  for (double const T : T_int_)
+    inverse.push_back(1 / T);
+  auto const mean = cg::estimate_mean(inverse);
+  return {1 / mean.mean, mean.se / (mean.mean * mean.mean), mean.n_eff};
+}
+
 Equilibrium EquilibriumSampler::result() const {
   require(times_.size() >= 32, "samples", times_.size(),
           "at least 32 are needed for errors: run longer or sample more often");
-  require(moments_.size() >= 16, "samples of the particles", moments_.size(),
+  require(!observables_.energies || moments_.size() >= 16, "samples of the particles", moments_.size(),
           "at least 16 are needed for errors: run longer or sample more often");
   using M = InstantMoments;
   return {cg::estimate_mean(T_kin_),
-          cg::estimate_mean(T_int_),
+          internal_temperature(),
           cg::estimate_mean(P_),
-          estimate(&M::eps_mean, &M::eps_variance),
-          estimate(&M::rho_mean, &M::rho_variance),
-          estimate(&M::P_mean, &M::P_variance),
+          observables_.energies ? estimate(&M::eps_mean, &M::eps_variance) : ParticleMoments(),
+          observables_.densities ? estimate(&M::rho_mean, &M::rho_variance) : ParticleMoments(),
+          observables_.densities ? estimate(&M::P_mean, &M::P_variance) : ParticleMoments(),
           energy_drift(times_, energies_)};
 }
 

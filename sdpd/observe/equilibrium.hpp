@@ -18,6 +18,12 @@ struct ParticleMoments {
   cg::Estimate mean, variance;
 };
 
+/// What the particles of a method have: what it has not is not sampled, and its estimates stay zero.
+struct Observables {
+  bool energies = true;  ///< SDPD, DPDE
+  bool densities = true; ///< SDPD; without them T_int is a harmonic mean
+};
+
 /// What a run at equilibrium says, in reduced units.
 struct Equilibrium {
   cg::Estimate T_kin, T_int, P;
@@ -35,21 +41,25 @@ InstantMoments moments(Snapshot const& now);
 /// then.
 class EquilibriumSampler {
  public:
+  explicit EquilibriumSampler(Observables observables = {}) : observables_(observables) {}
+
   void sample(double time, double energy, double T_kin, double T_int, double P);
   void sample(Observation const& now, double time) {
     sample(time, now.energy(), now.T_kin, now.T_int, now.P);
   }
   void sample(InstantMoments const& now) { moments_.push_back(now); }
 
-  /// Throws InputError for fewer than 32 samples or 16 instants.
+  /// Throws InputError for fewer than 32 samples or, where particles have energies, 16 instants.
   Equilibrium result() const;
 
   std::span<double const> times() const { return times_; }
   std::span<double const> energies() const { return energies_; }
 
  private:
+  cg::Estimate internal_temperature() const;
   ParticleMoments estimate(double InstantMoments::*mean, double InstantMoments::*variance) const;
 
+  Observables observables_;
   std::vector<double> times_, energies_, T_kin_, T_int_, P_;
   std::vector<InstantMoments> moments_;
 };

@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 
 namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string scheme = "ssa", eos = "ideal-gas";
+  std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas";
+  double neighbours = 62;
   std::uint32_t side = 22, fluctuate_every = 1;
   double K = 100;
   int steps = 20, repeats = 5;
@@ -29,9 +31,33 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads) {
           .threads = threads};
 }
 
+/// The soft fluid of Groot and Warren at its density 3, with a repulsion that keeps its pressure and a
+/// friction that keeps its viscosity about the same when the cut-off, which is the unit of length, reaches
+/// more neighbours.
+sdpd::SimulationSettings pair_fluid_settings(Options const& options, int threads) {
+  double const customary = 3, rho = options.neighbours / (4 * std::numbers::pi / 3);
+  sdpd::SimulationSettings settings{
+      .rho = rho,
+      .T = 1,
+      .K = 1,
+      .lattice = {options.side, options.side, options.side},
+      .disorder = 0.15,
+      .dt = 0.01,
+      .scheme = {.pairs = pair_scheme_of(options.scheme), .verlet_steps = options.fluctuate_every},
+      .threads = threads};
+  settings.pair_fluid = sdpd::PairFluid{.mass = 1,
+                                        .potential = sdpd::SoftPotential(25 * customary / rho, 1),
+                                        .friction = sdpd::PowerFriction(4.5 * customary / rho, 0, 1, 2),
+                                        .internal_energy = {}};
+  if (options.method == "dpde")
+    settings.pair_fluid->internal_energy = fitting::ConstantHeatCapacity(options.K);
+  return settings;
+}
+
 Result run(Options const& options, Context& context) {
   int const threads = context.options.threads.value_or(1);
-  sdpd::Simulation simulation(settings_of(options, threads));
+  sdpd::Simulation simulation(options.method == "sdpd" ? settings_of(options, threads)
+                                                       : pair_fluid_settings(options, threads));
   // A disordered start settles first: lists, densities and caches are then those of a fluid.
   sdpd::equilibrate(simulation, 64, [] { return true; });
   std::vector<double> cost;
@@ -49,9 +75,10 @@ Result run(Options const& options, Context& context) {
                  {"us_per_particle_step_max", cost.back()},
                  {"neighbours", simulation.neighbours()},
                  {"threads", threads},
+                 {"method", options.method},
                  {"scheme", options.scheme},
                  {"fluctuate_every", options.fluctuate_every},
-                 {"eos", options.eos},
+                 {"eos", options.method == "sdpd" ? options.eos : "none"},
                  {"n", simulation.size()},
                  {"K", options.K},
                  {"repeats", options.repeats}};
@@ -59,7 +86,8 @@ Result run(Options const& options, Context& context) {
       fmt::format("{:.3f} us per particle and step (median of {}, {:.3f} ... {:.3f}); {} particles, {:.1f} "
                   "neighbours, {} thread(s), {}, {}",
                   cost[cost.size() / 2], options.repeats, cost.front(), cost.back(), simulation.size(),
-                  simulation.neighbours(), threads, options.scheme, options.eos);
+                  simulation.neighbours(), threads, options.scheme,
+                  options.method == "sdpd" ? options.eos : options.method);
   return result;
 }
 
@@ -71,6 +99,13 @@ Command bench_engine_command() {
           .example = "mesobridge bench engine --eos ideal-gas --threads 2 --json",
           .declare = [](CLI::App& app) {
             auto options = std::make_shared<Options>();
+            app.add_option("--method", options->method, "what is timed")
+                ->check(CLI::IsMember({"sdpd", "dpde", "dpd"}))
+                ->capture_default_str();
+            app.add_option("--neighbours", options->neighbours,
+                           "within the cut-off, for dpde and dpd; the kernel decides for sdpd")
+                ->check(CLI::Range(5.0, 200.0))
+                ->capture_default_str();
             app.add_option("--scheme", options->scheme, "time-stepping scheme")
                 ->check(CLI::IsMember({"ssa", "ams", "ems", "ser"}))
                 ->capture_default_str();
@@ -84,7 +119,7 @@ Command bench_engine_command() {
             app.add_option("--side", options->side, "particles along an edge of the cubic box")
                 ->check(CLI::Range(6, 400))
                 ->capture_default_str();
-            app.add_option("--K", options->K, "size of a particle")
+            app.add_option("--K", options->K, "size of a particle; for dpde its heat capacity in k_B")
                 ->check(CLI::Range(2.0, 1e9))
                 ->capture_default_str();
             app.add_option("--steps", options->steps, "steps of one measurement")

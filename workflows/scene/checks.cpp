@@ -2,6 +2,7 @@
 #include "fitting/eos/list.hpp"
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/scene/pair_checks.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -72,7 +73,9 @@ void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Place
   eos = path.string();
 }
 
-void check_together(Scene const& scene, Places const& places) {
+namespace {
+
+void check_sdpd(Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_box(scene, places);
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
@@ -82,6 +85,12 @@ void check_together(Scene const& scene, Places const& places) {
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
       fmt::format("must be < 5 eta / 3 = {:.6g}, or the friction coefficient a_ij turns negative", limit));
+}
+
+} // namespace
+
+void check_together(Scene const& scene, Places const& places) {
+  scene.is_sdpd() ? check_sdpd(scene, places) : check_pair_fluid(scene, places);
   require_together(scene.run.sample_every <= scene.run.steps, places, "run.sample_every",
                    scene.run.sample_every,
                    fmt::format("must be <= run.steps = {}, or there is no sample", scene.run.steps));

@@ -1,6 +1,7 @@
 #include "workflows/scene/keys.hpp"
 #include "md/error.hpp"
 #include "sdpd/kernel/list.hpp"
+#include <algorithm>
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -12,6 +13,8 @@ constexpr Range positive{.min = 0, .open = true};
 constexpr Range not_negative{.min = 0};
 constexpr Range at_least_one{.min = 1};
 
+std::vector<std::string> const sdpd_only{"sdpd"}, pair_methods{"dpde", "dpd"};
+
 /// Builds one line of the table: what is not said stays at SceneKey's default.
 struct Line {
   SceneKey key;
@@ -21,6 +24,7 @@ struct Line {
     key.slot = std::move(slot);
     key.meaning = std::move(meaning);
   }
+  Line of(std::vector<std::string> methods) && { return key.methods = std::move(methods), std::move(*this); }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
   Line in(Range range) && { return key.range = range, std::move(*this); }
@@ -67,6 +71,10 @@ std::string Range::text() const {
   return above ? fmt::format("<= {}", max) : "";
 }
 
+bool SceneKey::belongs_to(std::string const& method) const {
+  return methods.empty() || std::ranges::find(methods, method) != methods.end();
+}
+
 std::string SceneKey::allowed(UnitSystem units) const {
   if (!choices.empty()) {
     std::vector<std::string> words;
@@ -96,10 +104,18 @@ std::vector<SceneKey> const& scene_keys() {
           .choices({"SI", "lj"}),
 
       Line(
+          "method", "name", [](Scene& s) { return &s.method.name; },
+          "sdpd: particles of fluid with an equation of state; dpde: soft particles with internal energies; "
+          "dpd: "
+          "soft particles at a set temperature")
+          .choices({"sdpd", "dpde", "dpd"}),
+
+      Line(
           "fluid", "eos", [](Scene& s) { return &s.fluid.eos; },
           "a name of `eos list` (argon, tin, lj ...), or the path of a fitted model, seen from the scene's "
           "folder")
-          .required(),
+          .required()
+          .of(sdpd_only),
       Line(
           "fluid", "rho", [](Scene& s) { return &s.fluid.rho; }, "mean density")
           .required()
@@ -110,7 +126,8 @@ std::vector<SceneKey> const& scene_keys() {
           .quantity(Dimension::temperature, positive),
       Line(
           "fluid", "m0", [](Scene& s) { return &s.fluid.m0; }, "mass of one molecule; ideal-gas only")
-          .quantity(Dimension::mass, positive),
+          .quantity(Dimension::mass, positive)
+          .of(sdpd_only),
 
       Line(
           "particles", "N", [](Scene& s) { return &s.particles.N; }, "how many particles")
@@ -119,31 +136,118 @@ std::vector<SceneKey> const& scene_keys() {
       Line(
           "particles", "K", [](Scene& s) { return &s.particles.K; }, "size: molecules in one particle")
           .required()
-          .in(at_least_one),
+          .in(at_least_one)
+          .of(sdpd_only),
       Line(
           "particles", "kernel", [](Scene& s) { return &s.particles.kernel; }, "smoothing kernel")
-          .choices(sdpd::kernel_names()),
+          .choices(sdpd::kernel_names())
+          .of(sdpd_only),
       Line(
           "particles", "h_factor", [](Scene& s) { return &s.particles.h_factor; },
           "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
-          .in({.min = 1, .max = 10}),
+          .in({.min = 1, .max = 10})
+          .of(sdpd_only),
       Line(
           "particles", "disorder", [](Scene& s) { return &s.particles.disorder; },
           "standard deviation of the initial displacements from a cubic lattice, in its spacings")
           .in({.min = 0, .max = 0.5}),
 
       Line(
+          "particles", "mass", [](Scene& s) { return &s.particles.mass; }, "mass of one particle")
+          .required()
+          .quantity(Dimension::mass, positive)
+          .of(pair_methods),
+
+      Line(
+          "potential", "name", [](Scene& s) { return &s.potential.name; },
+          "potential between two particles: none; soft, the force a (1 - r/cutoff); lj, cut and shifted; "
+          "wca; "
+          "exp-6 (Buckingham), which refuses pairs inside its maximum; table, a CSV file")
+          .choices({"none", "soft", "lj", "wca", "exp-6", "table"})
+          .of(pair_methods),
+      Line(
+          "potential", "a", [](Scene& s) { return &s.potential.a; }, "largest force; soft")
+          .quantity(Dimension::force, not_negative)
+          .of(pair_methods),
+      Line(
+          "potential", "epsilon", [](Scene& s) { return &s.potential.epsilon; },
+          "depth of the minimum; lj, wca (before its shift), exp-6")
+          .quantity(Dimension::energy, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "sigma", [](Scene& s) { return &s.potential.sigma; }, "where it is zero; lj, wca")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "r_m", [](Scene& s) { return &s.potential.r_m; }, "distance of the minimum; exp-6")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "alpha", [](Scene& s) { return &s.potential.alpha; }, "steepness; exp-6")
+          .in({.min = 7, .open = true, .max = 100})
+          .of(pair_methods),
+      Line(
+          "potential", "cutoff", [](Scene& s) { return &s.potential.cutoff; },
+          "where the potential ends and is shifted to zero; soft, lj, exp-6")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "file", [](Scene& s) { return &s.potential.file; },
+          "CSV with columns r,u and perhaps the force f (SI: r_m,u_J,f_N); table")
+          .of(pair_methods),
+
+      Line(
+          "friction", "gamma_par", [](Scene& s) { return &s.friction.gamma_par; },
+          "friction along the line of centres at contact: gamma (1 - r/cutoff)^exponent, at the set "
+          "temperature")
+          .quantity(Dimension::friction, not_negative)
+          .of(pair_methods),
+      Line(
+          "friction", "gamma_perp", [](Scene& s) { return &s.friction.gamma_perp; },
+          "the same across the line of centres")
+          .quantity(Dimension::friction, not_negative)
+          .of(pair_methods),
+      Line(
+          "friction", "cutoff", [](Scene& s) { return &s.friction.cutoff; },
+          "where the friction ends; the reduced unit of length")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "friction", "exponent", [](Scene& s) { return &s.friction.exponent; },
+          "of the weight; 2 is customary")
+          .in({.min = 0, .open = true, .max = 20})
+          .of(pair_methods),
+      Line(
+          "friction", "file", [](Scene& s) { return &s.friction.file; },
+          "CSV with columns r,gamma_par and perhaps gamma_perp (SI: r_m,gamma_par_kg_s,gamma_perp_kg_s), in "
+          "place of the above")
+          .of(pair_methods),
+
+      Line(
+          "internal_energy", "heat_capacity", [](Scene& s) { return &s.internal_energy.heat_capacity; },
+          "of a particle, in k_B, constant")
+          .in(positive)
+          .of({"dpde"}),
+      Line(
+          "internal_energy", "model", [](Scene& s) { return &s.internal_energy.model; },
+          "or the path of a model file with a table of C(T) or S(eps)")
+          .of({"dpde"}),
+
+      Line(
           "transport", "eta", [](Scene& s) { return &s.transport.eta; }, "shear viscosity")
           .required()
-          .quantity(Dimension::viscosity, positive),
+          .quantity(Dimension::viscosity, positive)
+          .of(sdpd_only),
       Line(
           "transport", "zeta", [](Scene& s) { return &s.transport.zeta; },
           "bulk viscosity, less than 5 eta / 3")
-          .quantity(Dimension::viscosity, not_negative),
+          .quantity(Dimension::viscosity, not_negative)
+          .of(sdpd_only),
       Line(
           "transport", "kappa", [](Scene& s) { return &s.transport.kappa; },
           "thermal conductivity; 0: particles exchange heat by friction alone")
-          .quantity(Dimension::conductivity, not_negative),
+          .quantity(Dimension::conductivity, not_negative)
+          .of(sdpd_only),
 
       Line(
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
@@ -174,7 +278,8 @@ std::vector<SceneKey> const& scene_keys() {
       Line(
           "scheme", "noise", [](Scene& s) { return &s.scheme.noise; },
           "on, or off: viscous smoothed particle hydrodynamics, which starts at rest")
-          .choices({"on", "off"}),
+          .choices({"on", "off"})
+          .of(sdpd_only),
 
       Line(
           "run", "equilibrate", [](Scene& s) { return &s.run.equilibrate; }, "steps before the first sample")
@@ -220,6 +325,8 @@ std::vector<SceneKey> const& scene_keys() {
 }
 
 std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
+  if (!key.belongs_to(scene.method.name))
+    return std::nullopt;
   struct Writer {
     SceneKey const& key;
     bool si;
@@ -267,7 +374,12 @@ std::string scene_keys_text() {
     }
     text += fmt::format("{}{:<17} {}\n", key.required ? '*' : ' ', key.name, key.meaning);
     text += fmt::format("{:<19}{}", "", key.allowed(UnitSystem::SI));
-    auto const value = key.required ? std::nullopt : value_text(key, Scene{});
+    Scene fresh;
+    if (!key.methods.empty())
+      fresh.method.name = key.methods.front();
+    auto const value = key.required ? std::nullopt : value_text(key, fresh);
+    if (!key.methods.empty())
+      text += fmt::format("; for {}", fmt::join(key.methods, ", "));
     text += (value ? "; default " + *value : "") + "\n";
   }
   return text;

@@ -33,8 +33,10 @@ struct SceneKey {
   Range range;
   std::vector<std::string> choices; ///< of a text; empty: any
   bool required = false;            ///< if not, the default is that of a fresh Scene
+  std::vector<std::string> methods; ///< the methods that have the key; empty: all
   std::string meaning;
 
+  bool belongs_to(std::string const& method) const;
   std::string path() const { return section.empty() ? name : section + "." + name; }
   /// What the key allows, in words: "a density > 0 such as \"1 kg/m^3\"".
   std::string allowed(UnitSystem units) const;

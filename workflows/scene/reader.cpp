@@ -2,6 +2,7 @@
 #include "workflows/nearest.hpp"
 #include "workflows/scene/checks.hpp"
 #include "workflows/scene/keys.hpp"
+#include "workflows/scene/pair_checks.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <sstream>
@@ -164,10 +165,15 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
   for (auto const& assignment : overrides)
     apply_override(table, assignment, places);
   refuse_unknown(table, places);
-  Scene scene; // `units` stands first in the table, before the keys that depend on it
+  Scene scene; // `units` and the method stand first in the table, before the keys that depend on them
   for (auto const& key : scene_keys()) {
     auto const* node = find(table, key);
-    if (!node && key.required)
+    bool const belongs = key.belongs_to(scene.method.name);
+    if (node && !belongs)
+      throw InputError(fmt::format("{}: key '{}' belongs to method.name = \"{}\", not to \"{}\"",
+                                   places.of(key.path()), key.path(), fmt::join(key.methods, "\", \""),
+                                   scene.method.name));
+    if (!node && key.required && belongs)
       throw InputError(fmt::format("{}: key '{}' is missing ({}): must be {}", file.string(), key.path(),
                                    key.meaning, key.allowed(scene.units)));
     if (!node)
@@ -179,7 +185,10 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
           fmt::format("{}: {} = {}: {}", places.of(key.path()), key.path(), text_of(*node), error.what()));
     }
   }
-  resolve_model_path(scene, file.parent_path(), places);
+  if (scene.is_sdpd())
+    resolve_model_path(scene, file.parent_path(), places);
+  else
+    resolve_pair_files(scene, file.parent_path(), places);
   check_together(scene, places);
   return scene;
 }

@@ -17,11 +17,16 @@ struct TimeStep {
   bool operator==(TimeStep const&) const = default;
 };
 
-/// An equilibrium SDPD run as its scene file describes it. Quantities are in SI, or in Lennard-Jones units
-/// when `units` says so. Plain data: what the keys mean, allow and default to stands in scene/keys.cpp.
+/// An equilibrium run of SDPD, DPDE or DPD as its scene file describes it. Quantities are in SI, or in
+/// Lennard-Jones units when `units` says so. Plain data: what the keys mean, allow and default to stands in
+/// scene/keys.cpp.
 struct Scene {
   std::string title;
   UnitSystem units = UnitSystem::SI;
+  struct Method {
+    std::string name = "sdpd";
+    bool operator==(Method const&) const = default;
+  } method;
   struct Fluid {
     std::string eos; ///< a name of `eos list`, or the path of a fitted model
     double rho = 0, T = 0;
@@ -34,12 +39,32 @@ struct Scene {
     std::string kernel = "cubic";
     double h_factor = 2.5;
     double disorder = 0.15;
+    std::optional<double> mass; ///< dpd, dpde
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;
   } transport;
+  struct Potential { ///< dpd, dpde
+    std::string name = "none";
+    std::optional<double> a, epsilon, sigma, r_m, alpha, cutoff;
+    std::optional<std::string> file;
+    bool operator==(Potential const&) const = default;
+  } potential;
+  struct Friction { ///< dpd, dpde
+    std::optional<double> gamma_par;
+    double gamma_perp = 0;
+    std::optional<double> cutoff;
+    double exponent = 2;
+    std::optional<std::string> file;
+    bool operator==(Friction const&) const = default;
+  } friction;
+  struct InternalEnergy { ///< dpde; one of the two
+    std::optional<double> heat_capacity;
+    std::optional<std::string> model;
+    bool operator==(InternalEnergy const&) const = default;
+  } internal_energy;
   struct Scheme {
     std::string name = "ssa";
     TimeStep dt;
@@ -61,6 +86,8 @@ struct Scene {
   } output;
 
   bool operator==(Scene const&) const = default;
+
+  bool is_sdpd() const { return method.name == "sdpd"; }
 };
 
 /// Reads and checks a scene file; each override is "section.key=value" and wins over the file.

@@ -41,8 +41,10 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
   store.write("q", numbers(c.q), {n, 3});
   store.write("q_at_renewal", numbers(c.q_at_renewal), {n, 3});
   store.write("p", numbers(c.p), {n, 3});
-  store.write("eps", c.eps);
-  store.write("T", c.T);
+  if (!c.eps.empty()) {
+    store.write("eps", c.eps);
+    store.write("T", c.T);
+  }
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
   store.write("conduction_counts", integers(c.conduction_counts));
@@ -58,13 +60,16 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
 StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
   auto const id = store.read_integers("id");
+  auto if_there = [&](char const* name) {
+    return store.contains(name) ? store.read_doubles(name) : std::vector<double>();
+  };
   return {.checkpoint = {.step = static_cast<std::uint64_t>(store.read_integers("step").at(0)),
                          .id = {id.begin(), id.end()},
                          .q = vectors(store.read_doubles("q")),
                          .q_at_renewal = vectors(store.read_doubles("q_at_renewal")),
                          .p = vectors(store.read_doubles("p")),
-                         .eps = store.read_doubles("eps"),
-                         .T = store.read_doubles("T"),
+                         .eps = if_there("eps"),
+                         .T = if_there("T"),
                          .kept_energy = store.read_doubles("kept_energy").at(0),
                          .pair_counts = pair_counts(store.read_integers("pair_counts")),
                          .conduction_counts = pair_counts(store.read_integers("conduction_counts"))},

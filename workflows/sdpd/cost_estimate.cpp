@@ -13,7 +13,8 @@ constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in 
 } // namespace
 
 CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& settings) {
-  double const h = settings.h_factor, neighbours = 4 * std::numbers::pi / 3 * h * h * h;
+  double const h = settings.range() / settings.spacing();
+  double const neighbours = 4 * std::numbers::pi / 3 * h * h * h;
   auto const particles = static_cast<double>(scene.particles.N);
   double const pairs = particles * neighbours / 2;
   auto const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);

@@ -6,7 +6,7 @@ namespace mesobridge::workflows {
 
 /// What a scene will take, before anything is run.
 struct CostEstimate {
-  double neighbours; ///< of a particle, (4 pi/3) h_factor^3
+  double neighbours; ///< of a particle, (4 pi/3) (range / mean distance)^3
   double seconds;
   double bytes;
 };

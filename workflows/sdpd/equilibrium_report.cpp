@@ -37,10 +37,55 @@ Table numbers(RunResult const& run, OutputUnits const& units) {
   return table;
 }
 
+/// Means of a DPD or DPDE run: for its pressure there is nothing to compare with.
+Table pair_fluid_numbers(RunResult const& run, OutputUnits const& units) {
+  auto const& e = run.equilibrium;
+  bool const si = run.scene.units == UnitSystem::SI;
+  Table table{
+      .header = comparison_header(), .rows = {}, .caption = "Means over the run beside the set temperature."};
+  table.rows.push_back(comparison_row(with_unit("kinetic temperature", si ? "K" : ""),
+                                      scaled(e.T_kin, units.temperature), run.settings.T));
+  if (run.settings.pair_fluid->follows_energy())
+    table.rows.push_back(comparison_row(with_unit("internal temperature (harmonic mean)", si ? "K" : ""),
+                                        scaled(e.T_int, units.temperature), run.settings.T));
+  table.rows.push_back(
+      {with_unit("pressure", si ? "Pa" : ""), with_error_text(scaled(e.P, units.pressure)), "", "", ""});
+  return table;
+}
+
+void write_pair_fluid_report(std::filesystem::path const& file, RunResult const& run,
+                             std::string const& command) {
+  OutputUnits const units(run.settings.units(), run.scene.units);
+  bool const energies = run.settings.pair_fluid->follows_energy();
+  double const thermal = run.settings.units().energy();
+  Report report{.title = run.scene.title,
+                .lead = fmt::format(
+                    "{} {} particles with {:.1f} neighbours each, {} steps of {:.4g} reduced time units "
+                    "after {} steps of equilibration.",
+                    run.scene.particles.N, energies ? "DPDE" : "DPD", run.neighbours, run.scene.run.steps,
+                    run.settings.dt, run.scene.run.equilibrate),
+                .verdicts = {},
+                .sections = {{"Means", {pair_fluid_numbers(run, units)}}},
+                .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}}};
+  if (energies) {
+    auto const distribution =
+        draw_svg(distribution_plot("energies", "Internal energies", "eps / k_B T", {{"", run.eps, thermal}}));
+    report.sections.push_back({"Distributions", {Figure{{distribution}, "Over particles and instants."}}});
+    report.sections.push_back(
+        {"Conservation of energy",
+         {Figure{{draw_svg(energy_error_plot("energy_error", {{"", &run}}))},
+                 fmt::format("Relative energy error; it drifts at {} per reduced unit of time.",
+                             with_error_text({run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}))}}});
+  }
+  write_text_file(file, report.html());
+}
+
 } // namespace
 
 void write_equilibrium_report(std::filesystem::path const& file, RunResult const& run,
                               std::string const& command) {
+  if (run.settings.pair_fluid)
+    return write_pair_fluid_report(file, run, command);
   OutputUnits const units(run.settings.units(), run.scene.units);
   bool const si = run.scene.units == UnitSystem::SI;
   double const thermal = run.settings.units().boltzmann * run.settings.T;

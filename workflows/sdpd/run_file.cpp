@@ -1,9 +1,8 @@
 #include "workflows/sdpd/run_file.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
-
-constexpr std::size_t columns = 12;
 
 std::int64_t last_step(Store const& store, std::string const& dataset, std::size_t width) {
   if (!store.contains(dataset))
@@ -12,45 +11,63 @@ std::int64_t last_step(Store const& store, std::string const& dataset, std::size
   return rows.empty() ? -1 : static_cast<std::int64_t>(rows[rows.size() - width]);
 }
 
+/// Columns of `moments`.
+std::vector<std::string> moment_names(sdpd::Observables const& observables) {
+  if (!observables.densities)
+    return {"step", "eps_mean", "eps_variance"};
+  return {"step", "eps_mean", "eps_variance", "rho_mean", "rho_variance", "P_mean", "P_variance"};
+}
+
 } // namespace
 
-RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, Provenance const& provenance)
-    : RunFile(Store(file, Store::Mode::create), units) {
+RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
+                 Provenance const& provenance)
+    : RunFile(Store(file, Store::Mode::create), units, observables) {
   write_provenance(store_, provenance);
   store_.flush();
 }
 
-RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units) {
-  RunFile run(Store(file, Store::Mode::append), units);
-  run.last_row_ = last_step(run.store_, "thermodynamics", columns);
-  run.last_instant_ = last_step(run.store_, "moments", 7);
+RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units,
+                               sdpd::Observables observables) {
+  RunFile run(Store(file, Store::Mode::append), units, observables);
+  run.last_row_ = last_step(run.store_, "thermodynamics", run.columns({}, 0).size());
+  run.last_instant_ = last_step(run.store_, "moments", moment_names(observables).size());
   return run;
 }
 
-void RunFile::describe() {
-  std::string const t = units_.time_key, e = units_.energy_key, T = units_.temperature_key,
-                    P = units_.pressure_key, rho = units_.density_key, p = units_.momentum_key;
-  std::vector<std::string> const thermodynamics{
-      "step",       "time" + t,       "kinetic_energy" + e, "internal_energy" + e,
-      "energy" + e, "T_kin" + T,      "T_int" + T,          "P" + P,
-      "rho" + rho,  "momentum_x" + p, "momentum_y" + p,     "momentum_z" + p};
-  static_assert(columns == 12);
-  store_.set_attribute("thermodynamics", "columns", thermodynamics);
+std::vector<RunFile::Column> RunFile::columns(sdpd::Observation const& now, double time) const {
+  auto const& u = units_;
+  std::vector<Column> all{{"step", static_cast<double>(now.step)},
+                          {"time" + u.time_key, time * u.time},
+                          {"kinetic_energy" + u.energy_key, now.kinetic * u.energy}};
+  if (observables_.energies)
+    all.push_back({"internal_energy" + u.energy_key, now.internal * u.energy});
+  if (!observables_.densities)
+    all.push_back({"potential_energy" + u.energy_key, now.potential * u.energy});
+  all.push_back({"energy" + u.energy_key, now.energy() * u.energy});
+  all.push_back({"T_kin" + u.temperature_key, now.T_kin * u.temperature});
+  if (observables_.energies)
+    all.push_back({"T_int" + u.temperature_key, now.T_int * u.temperature});
+  all.push_back({"P" + u.pressure_key, now.P * u.pressure});
+  if (observables_.densities)
+    all.push_back({"rho" + u.density_key, now.rho * u.density});
+  all.push_back({"momentum_x" + u.momentum_key, now.momentum.x * u.momentum});
+  all.push_back({"momentum_y" + u.momentum_key, now.momentum.y * u.momentum});
+  all.push_back({"momentum_z" + u.momentum_key, now.momentum.z * u.momentum});
+  return all;
 }
 
 void RunFile::append(sdpd::Observation const& now, double time) {
   auto const step = static_cast<std::int64_t>(now.step);
   if (step <= last_row_)
     return;
-  std::array<double, columns> const row{static_cast<double>(now.step),    time * units_.time,
-                                        now.kinetic * units_.energy,      now.internal * units_.energy,
-                                        now.energy() * units_.energy,     now.T_kin * units_.temperature,
-                                        now.T_int * units_.temperature,   now.P * units_.pressure,
-                                        now.rho * units_.density,         now.momentum.x * units_.momentum,
-                                        now.momentum.y * units_.momentum, now.momentum.z * units_.momentum};
-  store_.append("thermodynamics", row, {columns});
+  std::vector<double> row;
+  std::vector<std::string> names;
+  for (auto const& [name, value] : columns(now, time))
+    names.push_back(name), row.push_back(value);
+  store_.append("thermodynamics", row, {row.size()});
   if (last_row_ < 0)
-    describe();
+    store_.set_attribute("thermodynamics", "columns", names);
   last_row_ = step;
   store_.flush();
 }
@@ -58,15 +75,19 @@ void RunFile::append(sdpd::Observation const& now, double time) {
 void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, std::uint64_t step) {
   if (static_cast<std::int64_t>(step) <= last_instant_)
     return;
+  if (!observables_.energies)
+    return;
   // Each mean and variance in the engine's reduced units: what a resumed run reads back must be the same
   // number.
-  std::array<double, 7> const row{static_cast<double>(step),
-                                  m.eps_mean,
-                                  m.eps_variance,
-                                  m.rho_mean,
-                                  m.rho_variance,
-                                  m.P_mean,
-                                  m.P_variance};
+  auto const names = moment_names(observables_);
+  std::vector<double> row{static_cast<double>(step),
+                          m.eps_mean,
+                          m.eps_variance,
+                          m.rho_mean,
+                          m.rho_variance,
+                          m.P_mean,
+                          m.P_variance};
+  row.resize(names.size());
   std::size_t const count = std::min(now.eps.size(), stored_particles);
   auto scaled = [count](std::vector<double> const& values, double unit) {
     std::vector<double> result(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
@@ -75,12 +96,12 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
     return result;
   };
   store_.append("particles/eps", scaled(now.eps, units_.energy), {count});
-  store_.append("particles/rho", scaled(now.rho, units_.density), {count});
-  store_.append("particles/P", scaled(now.P, units_.pressure), {count});
+  if (observables_.densities) {
+    store_.append("particles/rho", scaled(now.rho, units_.density), {count});
+    store_.append("particles/P", scaled(now.P, units_.pressure), {count});
+  }
   store_.append("moments", row, {row.size()});
   if (last_instant_ < 0) {
-    std::vector<std::string> const names{"step",         "eps_mean", "eps_variance", "rho_mean",
-                                         "rho_variance", "P_mean",   "P_variance"};
     store_.set_attribute("moments", "columns", names);
     store_.set_attribute("moments", "units",
                          std::string("reduced units of the particle size (energy K k_B T, density rho)"));
@@ -89,21 +110,51 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
   store_.flush();
 }
 
-sdpd::EquilibriumSampler RunFile::replay() const {
-  sdpd::EquilibriumSampler sampler;
+std::optional<cg::Estimate> RunFile::mean(std::string const& column) const {
+  auto const all = columns({}, 0);
+  auto const found = std::ranges::find(all, column, &Column::name);
+  if (found == all.end())
+    return std::nullopt;
   auto const rows = store_.read_doubles("thermodynamics");
-  for (std::size_t r = 0; r < rows.size(); r += columns)
-    sampler.sample(rows[r + 1] / units_.time, rows[r + 4] / units_.energy, rows[r + 5] / units_.temperature,
-                   rows[r + 6] / units_.temperature, rows[r + 7] / units_.pressure);
+  std::vector<double> values;
+  for (auto r = static_cast<std::size_t>(found - all.begin()); r < rows.size(); r += all.size())
+    values.push_back(rows[r]);
+  return cg::estimate_mean(values);
+}
+
+sdpd::EquilibriumSampler RunFile::replay() const {
+  sdpd::EquilibriumSampler sampler(observables_);
+  auto const all = columns({}, 0);
+  auto place = [&](std::string const& name) {
+    for (std::size_t c = 0; c < all.size(); ++c)
+      if (all[c].name == name)
+        return c;
+    return all.size(); // the method has no such column
+  };
+  std::size_t const energy = place("energy" + units_.energy_key),
+                    T_kin = place("T_kin" + units_.temperature_key),
+                    T_int = place("T_int" + units_.temperature_key), P = place("P" + units_.pressure_key);
+  auto const rows = store_.read_doubles("thermodynamics");
+  for (std::size_t r = 0; r < rows.size(); r += all.size())
+    sampler.sample(
+        rows[r + 1] / units_.time, rows[r + energy] / units_.energy, rows[r + T_kin] / units_.temperature,
+        T_int < all.size() ? rows[r + T_int] / units_.temperature : 0, rows[r + P] / units_.pressure);
+  if (!observables_.energies)
+    return sampler;
+  std::size_t const width = moment_names(observables_).size();
   auto const instants = store_.read_doubles("moments");
-  for (std::size_t r = 0; r < instants.size(); r += 7)
-    sampler.sample(sdpd::InstantMoments{instants[r + 1], instants[r + 2], instants[r + 3], instants[r + 4],
-                                        instants[r + 5], instants[r + 6]});
+  for (std::size_t r = 0; r < instants.size(); r += width) {
+    std::vector<double> row(instants.begin() + static_cast<std::ptrdiff_t>(r),
+                            instants.begin() + static_cast<std::ptrdiff_t>(r + width));
+    row.resize(7);
+    sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6]});
+  }
   return sampler;
 }
 
 std::vector<double> RunFile::particle_values(std::string const& name) const {
-  return store_.read_doubles("particles/" + name);
+  auto const dataset = "particles/" + name;
+  return store_.contains(dataset) ? store_.read_doubles(dataset) : std::vector<double>();
 }
 
 } // namespace mesobridge::workflows

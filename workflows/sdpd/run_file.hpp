@@ -3,11 +3,13 @@
 #include "workflows/provenance.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/store/store.hpp"
+#include <optional>
 
 namespace mesobridge::workflows {
 
-/// The HDF5 file of one SDPD run: `thermodynamics` (one row a sample), `moments` (one row an instant) and,
-/// under `particles`, internal energies, densities and pressures of the first particles at those instants.
+/// The HDF5 file of one run: `thermodynamics` (one row a sample), `moments` (one row an instant) and,
+/// under `particles`, internal energies, densities and pressures of the first particles at those instants; of
+/// all that, what the method has.
 /// The attribute `columns` names the columns with their units. Rows are flushed as they come, so that a
 /// stopped run keeps them.
 ///
@@ -15,8 +17,10 @@ namespace mesobridge::workflows {
 /// skipped.
 class RunFile {
  public:
-  RunFile(std::filesystem::path const& file, OutputUnits const& units, Provenance const& provenance);
-  static RunFile continue_file(std::filesystem::path const& file, OutputUnits const& units);
+  RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
+          Provenance const& provenance);
+  static RunFile continue_file(std::filesystem::path const& file, OutputUnits const& units,
+                               sdpd::Observables observables);
 
   void append(sdpd::Observation const& now, double time);
   void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::uint64_t step);
@@ -24,8 +28,12 @@ class RunFile {
   /// All samples of the file, in reduced units.
   sdpd::EquilibriumSampler replay() const;
 
-  /// All stored values of "eps", "rho" or "P" of single particles, in the scene's units.
+  /// All stored values of "eps", "rho" or "P" of single particles, in the scene's units; none where there are
+  /// none.
   std::vector<double> particle_values(std::string const& name) const;
+
+  /// The mean of one column of `thermodynamics`, in the scene's units; nothing if there is no such column.
+  std::optional<cg::Estimate> mean(std::string const& column) const;
 
   void close() { store_.close(); }
 
@@ -33,11 +41,19 @@ class RunFile {
   static constexpr std::size_t stored_particles = 5000;
 
  private:
-  RunFile(Store store, OutputUnits const& units) : store_(std::move(store)), units_(units) {}
-  void describe();
+  RunFile(Store store, OutputUnits const& units, sdpd::Observables observables)
+      : store_(std::move(store)), units_(units), observables_(observables) {}
+
+  /// One column of `thermodynamics`.
+  struct Column {
+    std::string name;
+    double value; ///< in the scene's units
+  };
+  std::vector<Column> columns(sdpd::Observation const& now, double time) const;
 
   Store store_;
   OutputUnits units_;
+  sdpd::Observables observables_;
   std::int64_t last_row_ = -1, last_instant_ = -1; ///< steps of the last rows
 };
 

@@ -48,9 +48,12 @@ class Run {
 
  private:
   static std::vector<std::filesystem::path> inputs(Scene const& scene) {
-    std::filesystem::path const model = scene.fluid.eos;
-    return std::filesystem::is_regular_file(model) ? std::vector{model}
-                                                   : std::vector<std::filesystem::path>{};
+    std::vector<std::filesystem::path> files;
+    for (auto const& file : {scene.fluid.eos, scene.potential.file.value_or(""),
+                             scene.friction.file.value_or(""), scene.internal_energy.model.value_or("")})
+      if (std::filesystem::is_regular_file(file))
+        files.emplace_back(file);
+    return files;
   }
 
   std::filesystem::path file(char const* name) const { return options_.directory / name; }
@@ -59,7 +62,7 @@ class Run {
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
       return options_.keep_going(static_cast<std::uint64_t>(simulation_.observe().step));
     });
-    run_file_.emplace(file("run.h5"), units_, provenance_);
+    run_file_.emplace(file("run.h5"), units_, observables_of(settings_), provenance_);
     trajectories_.emplace(scene_, options_.directory, provenance_, false);
     record();
   }
@@ -72,7 +75,7 @@ class Run {
                                    file("checkpoint.h5").string(), file("scene.toml").string()));
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
-    run_file_.emplace(RunFile::continue_file(file("run.h5"), units_));
+    run_file_.emplace(RunFile::continue_file(file("run.h5"), units_, observables_of(settings_)));
     trajectories_.emplace(scene_, options_.directory, provenance_, true);
   }
 
@@ -143,27 +146,39 @@ class Run {
 
   Json summary(RunResult const& result) const {
     auto const& e = result.equilibrium;
+    auto const observables = observables_of(settings_);
     auto in = [](cg::Estimate const& estimate, double unit) {
       return cg::Estimate{estimate.mean * unit, estimate.se * unit, estimate.n_eff};
     };
     Json json;
     json["title"] = scene_.title;
     json["n"] = simulation_.size();
-    json["K"] = settings_.K;
+    json["method"] = scene_.method.name;
+    if (observables.densities)
+      json["K"] = settings_.K;
     json["dt_reduced"] = settings_.dt;
     json["dt" + units_.time_key] = settings_.dt * units_.time;
     json["steps"] = scene_.run.steps;
     json["neighbours"] = result.neighbours;
     put(json, "T_kin" + units_.temperature_key, in(e.T_kin, units_.temperature));
-    put(json, "T_int" + units_.temperature_key, in(e.T_int, units_.temperature));
+    if (observables.energies)
+      put(json, "T_int" + units_.temperature_key, in(e.T_int, units_.temperature));
     put(json, "P" + units_.pressure_key, in(e.P, units_.pressure));
-    put(json, "rho" + units_.density_key, in(e.rho.mean, units_.density));
-    put(json, "rho_variance", in(e.rho.variance, units_.density * units_.density));
-    put(json, "e" + units_.specific_energy_key, in(e.eps.mean, units_.specific_energy));
-    put(json, "P_internal" + units_.pressure_key, in(e.P_i.mean, units_.pressure));
-    put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
-    put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
-        cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
+    if (observables.densities) {
+      put(json, "rho" + units_.density_key, in(e.rho.mean, units_.density));
+      put(json, "rho_variance", in(e.rho.variance, units_.density * units_.density));
+      put(json, "P_internal" + units_.pressure_key, in(e.P_i.mean, units_.pressure));
+    }
+    if (observables.energies) {
+      put(json, "e" + units_.specific_energy_key, in(e.eps.mean, units_.specific_energy));
+      put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
+      put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
+          cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
+    }
+    for (std::string const& energy : {"kinetic_energy", "potential_energy"})
+      if (auto const mean = run_file_->mean(energy + units_.energy_key); mean && !observables.densities)
+        put(json, energy + "_per_particle" + units_.energy_key,
+            in(*mean, 1 / static_cast<double>(simulation_.size())));
     put_rejections(json, "rejected", simulation_.pair_counts());
     if (settings_.kappa > 0)
       put_rejections(json, "conduction_rejected", simulation_.conduction_counts());

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
+#include "workflows/sdpd/pair_fluid_of.hpp"
 #include "workflows/text_file.hpp"
 #include <omp.h>
 
@@ -41,9 +42,14 @@ sdpd::Scheme scheme_of(Scene const& scene) {
           .keep_energy = energy == "kept"};
 }
 
+sdpd::Observables observables_of(sdpd::SimulationSettings const& settings) {
+  auto const& fluid = settings.pair_fluid;
+  return {.energies = !fluid || fluid->follows_energy(), .densities = !fluid};
+}
+
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   sdpd::SimulationSettings settings{
-      .eos = eos_of(scene),
+      .eos = scene.is_sdpd() ? eos_of(scene) : fitting::IdealGas(1), // pair_fluid takes its place
       .rho = scene.fluid.rho,
       .T = scene.fluid.T,
       .K = scene.particles.K,
@@ -60,6 +66,8 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .seed = static_cast<std::uint64_t>(scene.run.seed),
       .threads = threads,
   };
+  if (!scene.is_sdpd())
+    settings.pair_fluid = pair_fluid_of(scene), settings.K = 1;
   if (!scene.scheme.dt.reduced)
     settings.dt /= settings.units().time();
   return settings;

@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/simulation.hpp"
+#include "sdpd/observe/equilibrium.hpp"
 #include "workflows/scene/scene.hpp"
 
 namespace mesobridge::workflows {
@@ -13,6 +13,9 @@ sdpd::PairScheme pair_scheme_of(std::string const& name);
 
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
+
+/// What the particles of a method have.
+sdpd::Observables observables_of(sdpd::SimulationSettings const& settings);
 
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);

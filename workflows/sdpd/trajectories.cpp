@@ -15,20 +15,24 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
   auto now = simulation.snapshot();
   for (std::size_t i = 0; i < now.q.size(); ++i)
     now.q[i] *= length, now.p[i] *= velocity;
-  auto scaled = [](std::vector<double>& values, double unit) {
+  ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.observe().step),
+                      .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
+                      .box = Box{simulation.box().edge * length},
+                      .positions = std::move(now.q),
+                      .velocities = std::move(now.p),
+                      .scalars = {}};
+  auto add = [&](std::string const& name, std::vector<double>& values, double unit) {
+    if (values.empty()) // a quantity that the method does not have
+      return;
     for (double& value : values)
       value *= unit;
-    return std::move(values);
+    frame.scalars.emplace_back(name, std::move(values));
   };
-  return {.step = static_cast<std::int64_t>(simulation.observe().step),
-          .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
-          .box = Box{simulation.box().edge * length},
-          .positions = std::move(now.q),
-          .velocities = std::move(now.p),
-          .scalars = {{"eps" + units.energy_key, scaled(now.eps, units.energy)},
-                      {"rho" + units.density_key, scaled(now.rho, units.density)},
-                      {"T" + units.temperature_key, scaled(now.T, units.temperature)},
-                      {"P" + units.pressure_key, scaled(now.P, units.pressure)}}};
+  add("eps" + units.energy_key, now.eps, units.energy);
+  add("rho" + units.density_key, now.rho, units.density);
+  add("T" + units.temperature_key, now.T, units.temperature);
+  add("P" + units.pressure_key, now.P, units.pressure);
+  return frame;
 }
 
 H5mdWriter::Units h5md_units(bool si) {

@@ -1,0 +1,96 @@
+#include "workflows/scene/pair_checks.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// A key that may be there, and the names that want it.
+struct Wanted {
+  std::string key;
+  bool given;
+  std::vector<std::string> by;
+};
+
+/// Keys that `name` wants must be given, the others not.
+void check_wanted(std::string const& what, std::string const& name, std::vector<Wanted> const& keys,
+                  Places const& places) {
+  for (auto const& [key, given, by] : keys) {
+    bool const wanted = std::ranges::find(by, name) != by.end();
+    if (wanted && !given)
+      throw InputError(
+          fmt::format("{}: key '{}' is missing, which {} = \"{}\" needs", places.of(what), key, what, name));
+    if (!wanted && given)
+      throw InputError(fmt::format("{}: key '{}' belongs to {} = \"{}\", not to \"{}\"", places.of(key), key,
+                                   what, fmt::join(by, "\", \""), name));
+  }
+}
+
+void check_potential(Scene const& scene, Places const& places) {
+  auto const& p = scene.potential;
+  check_wanted("potential.name", p.name,
+               {{"potential.a", p.a.has_value(), {"soft"}},
+                {"potential.epsilon", p.epsilon.has_value(), {"lj", "wca", "exp-6"}},
+                {"potential.sigma", p.sigma.has_value(), {"lj", "wca"}},
+                {"potential.r_m", p.r_m.has_value(), {"exp-6"}},
+                {"potential.alpha", p.alpha.has_value(), {"exp-6"}},
+                {"potential.cutoff", p.cutoff.has_value(), {"soft", "lj", "exp-6"}},
+                {"potential.file", p.file.has_value(), {"table"}}},
+               places);
+}
+
+void check_friction(Scene const& scene, Places const& places) {
+  auto const& f = scene.friction;
+  auto refuse = [&](std::string const& key, std::string const& why) {
+    throw InputError(fmt::format("{}: key '{}' {}", places.of(key), key, why));
+  };
+  bool const plain = f.gamma_par && f.cutoff;
+  if (!plain && !f.file)
+    refuse(f.gamma_par ? "friction.cutoff" : "friction.gamma_par",
+           "is missing (or give a table with friction.file)");
+  if (f.file && (f.gamma_par || f.cutoff || f.gamma_perp > 0))
+    refuse("friction.file", "stands in place of gamma_par, gamma_perp and cutoff: give one or the other");
+}
+
+void check_internal_energy(Scene const& scene, Places const& places) {
+  auto const& [heat_capacity, model] = scene.internal_energy;
+  if (scene.method.name == "dpde" && heat_capacity.has_value() == model.has_value())
+    throw InputError(fmt::format("{}: a dpde scene needs one of internal_energy.heat_capacity and "
+                                 "internal_energy.model{}",
+                                 places.of("method.name"), model ? ", not both" : ""));
+}
+
+void resolve(std::optional<std::string>& file, std::string const& key, std::filesystem::path const& folder,
+             Places const& places) {
+  if (!file)
+    return;
+  auto const path = std::filesystem::absolute(folder / *file).lexically_normal();
+  require(std::filesystem::is_regular_file(path), places.of(key) + ": " + key, *file,
+          fmt::format("there is no file '{}'", path.string()));
+  file = path.string();
+}
+
+} // namespace
+
+void check_pair_fluid(Scene const& scene, Places const& places) {
+  check_potential(scene, places);
+  check_friction(scene, places);
+  check_internal_energy(scene, places);
+  auto refuse_for_dpd = [&](bool given, std::string const& key, std::string const& value,
+                            std::string const& why) {
+    if (scene.method.name == "dpd" && given)
+      throw InputError(fmt::format("{}: {} = \"{}\": {}", places.of(key), key, value, why));
+  };
+  refuse_for_dpd(scene.scheme.name == "ams" || scene.scheme.name == "ems", "scheme.name", scene.scheme.name,
+                 "DPD has no internal energies, so there is no step to reject: take \"ssa\" or \"ser\"");
+  refuse_for_dpd(scene.scheme.energy == "kept", "scheme.energy", "kept",
+                 "DPD has no internal energies that could give or take energy");
+}
+
+void resolve_pair_files(Scene& scene, std::filesystem::path const& folder, Places const& places) {
+  resolve(scene.potential.file, "potential.file", folder, places);
+  resolve(scene.friction.file, "friction.file", folder, places);
+  resolve(scene.internal_energy.model, "internal_energy.model", folder, places);
+}
+
+} // namespace mesobridge::workflows

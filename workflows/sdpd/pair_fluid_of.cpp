@@ -1,0 +1,72 @@
+#include "workflows/sdpd/pair_fluid_of.hpp"
+#include "fitting/internal_energy_file.hpp"
+#include "md/units.hpp"
+#include "workflows/sdpd/column_file.hpp"
+#include "workflows/text_file.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+bool is_si(Scene const& scene) {
+  return scene.units == UnitSystem::SI;
+}
+
+sdpd::TabulatedPotential tabulated_potential(Scene const& scene) {
+  std::string const r = is_si(scene) ? "r_m" : "r", u = is_si(scene) ? "u_J" : "u",
+                    f = is_si(scene) ? "f_N" : "f";
+  auto columns = read_columns(*scene.potential.file, {r, u}, {f});
+  return {columns[r], columns[u], columns[f]};
+}
+
+/// The scene's checks have seen to it that the keys that a potential needs are there.
+sdpd::AnyPotential potential_of(Scene const& scene) {
+  auto const& [name, a, epsilon, sigma, r_m, alpha, cutoff, file] = scene.potential;
+  if (name == "soft")
+    return sdpd::SoftPotential(*a, *cutoff);
+  if (name == "lj")
+    return sdpd::LennardJones(*epsilon, *sigma, *cutoff);
+  if (name == "wca")
+    return sdpd::LennardJones::wca(*epsilon, *sigma);
+  if (name == "exp-6")
+    return sdpd::Exp6(*epsilon, *r_m, *alpha, *cutoff);
+  if (name == "table")
+    return tabulated_potential(scene);
+  return sdpd::NoPotential{};
+}
+
+sdpd::AnyFrictionShape friction_of(Scene const& scene) {
+  auto const& friction = scene.friction;
+  if (!friction.file)
+    return sdpd::PowerFriction(*friction.gamma_par, friction.gamma_perp, *friction.cutoff, friction.exponent);
+  std::string const r = is_si(scene) ? "r_m" : "r", par = is_si(scene) ? "gamma_par_kg_s" : "gamma_par",
+                    perp = is_si(scene) ? "gamma_perp_kg_s" : "gamma_perp";
+  auto columns = read_columns(*friction.file, {r, par}, {perp});
+  return sdpd::TabulatedFriction(columns[r], columns[par], columns[perp]);
+}
+
+fitting::AnyInternalEnergy internal_energy_of(Scene const& scene) {
+  auto const& [heat_capacity, file] = scene.internal_energy;
+  if (heat_capacity)
+    return fitting::ConstantHeatCapacity(*heat_capacity);
+  auto const model = fitting::parse_internal_energy(read_text_file(*file), *file);
+  bool const constant = std::holds_alternative<fitting::ConstantHeatCapacity>(model.internal_energy);
+  require(constant || model.reduced != is_si(scene), "internal_energy.model", *file,
+          model.reduced ? "its temperatures are reduced, but units = \"SI\""
+                        : "its temperatures are in kelvin, but units = \"lj\"");
+  return model.internal_energy;
+}
+
+} // namespace
+
+sdpd::PairFluid pair_fluid_of(Scene const& scene) {
+  sdpd::PairFluid fluid{.mass = *scene.particles.mass,
+                        .boltzmann = is_si(scene) ? k_B : 1,
+                        .potential = potential_of(scene),
+                        .friction = friction_of(scene),
+                        .internal_energy = {}};
+  if (scene.method.name == "dpde")
+    fluid.internal_energy = internal_energy_of(scene);
+  return fluid;
+}
+
+} // namespace mesobridge::workflows
