@@ -20,7 +20,7 @@ class InternalEnergies final : public Thermodynamics {
       particles.T[i] = T;
     });
   }
-  void from_temperature(Particles& particles, Range range, Failure& failure) const override {
+  void response(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure,
              [&](std::size_t i) { particles.caloric[i] = caloric(particles.T[i]); });
   }

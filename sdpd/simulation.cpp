@@ -1,4 +1,6 @@
 #include "sdpd/simulation.hpp"
+#include "sdpd/observe/compression.hpp"
+#include "sdpd/particle_eos.hpp"
 #include "sdpd/random.hpp"
 #include "sdpd/step/conservative.hpp"
 #include "sdpd/step/pair_forces.hpp"
@@ -77,22 +79,23 @@ Box box_of(SimulationSettings const& s) {
 System sdpd_system(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
   AnyKernel const kernel = make_kernel(s.kernel, s.h_factor, s.density_correction.scale);
-  return {.box = box_of(s),
-          .thermodynamics = make_thermodynamics(s.eos, units),
-          .kernel = kernel,
-          .self_density = self_density(kernel, s.density_correction),
-          .potential = NoPotential{},
-          .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
-          .conduction = conduction_of(s),
-          .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-          .particles = {},
-          .boltzmann = 1 / s.K,
-          .seed = s.seed,
-          .threads = s.threads,
-          .block_virial = {},
-          .block_energy = {},
-          .energy_gain = {},
-          .impulse = {}};
+  return {
+      .box = box_of(s),
+      .thermodynamics = make_thermodynamics(s.eos, units, s.centre_of_mass),
+      .kernel = kernel,
+      .self_density = self_density(kernel, s.density_correction),
+      .potential = NoPotential{},
+      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
+      .conduction = conduction_of(s),
+      .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
+      .particles = {},
+      .boltzmann = 1 / s.K,
+      .seed = s.seed,
+      .threads = s.threads,
+      .block_virial = {},
+      .block_energy = {},
+      .energy_gain = {},
+      .impulse = {}};
 }
 
 System pair_fluid_system(SimulationSettings const& s) {
@@ -160,6 +163,17 @@ void set_energies_from_temperatures(System& system) {
   system.stop_at(failure);
 }
 
+/// At the set density and temperature, in k_B. Throws PhysicsError when the model has no such state.
+double heat_capacity_of_a_particle(SimulationSettings const& s) {
+  double const bulk = std::visit(
+      [&](auto const& eos) {
+        return eos.heat_capacity(eos.energy_from_temperature(s.T, s.rho), s.rho) * eos.molecular_mass() /
+               eos.boltzmann();
+      },
+      s.eos);
+  return s.K * bulk - (s.centre_of_mass == CentreOfMass::free ? 1.5 : 0);
+}
+
 std::vector<double> heat_capacities(System const& system) {
   std::vector<double> C(system.particles.eps.size());
   for (std::size_t i = 0; i < C.size(); ++i)
@@ -189,10 +203,14 @@ MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
 namespace {
 
 void check_sdpd(SimulationSettings const& s) {
-  bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
-  require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
-          ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
-                : "must be >= 1");
+  require(s.K >= 1 && std::isfinite(s.K), "particle size K", s.K, "must be >= 1 and finite");
+  double const C = heat_capacity_of_a_particle(s);
+  require(
+      C > least_heat_capacity, "particle size K", s.K,
+      fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
+                  "k_B is needed for a positive friction (theory, Eq. (2.16))",
+                  C, s.centre_of_mass == CentreOfMass::free ? " without its centre of mass" : "",
+                  least_heat_capacity));
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   auto const& [scale, self] = s.density_correction;
   require(scale > 0 && std::isfinite(scale), "density correction scale", scale, "must be > 0 and finite");
@@ -355,14 +373,33 @@ double Simulation::heat_capacity() const {
   return sum + 1.5 * (static_cast<double>(size()) - 1);
 }
 
+void Simulation::set_density_correction(DensityCorrection const& correction) {
+  auto& kernel = system_->kernel;
+  std::string_view const name = std::visit([](auto const& of) { return of.name; }, kernel);
+  kernel = make_kernel(name, system_->neighbours.range(), correction.scale);
+  system_->self_density = self_density(kernel, correction);
+  set_energies_from_temperatures(*system_);
+  refresh(*system_);
+}
+
+double Simulation::compression_response() const {
+  return sdpd::compression_response(*system_);
+}
+
 Checkpoint Simulation::checkpoint() const {
   auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
-  return {system_->step,        particles.id,
-          particles.q,          {renewed.begin(), renewed.end()},
-          particles.p,          particles.eps,
-          particles.T,          system_->kept_energy,
-          system_->pair_counts, system_->conduction_counts};
+  return {system_->step,
+          particles.id,
+          particles.q,
+          {renewed.begin(), renewed.end()},
+          particles.p,
+          particles.eps,
+          particles.S,
+          particles.T,
+          system_->kept_energy,
+          system_->pair_counts,
+          system_->conduction_counts};
 }
 
 void Simulation::restore(Checkpoint const& c) {
@@ -373,15 +410,17 @@ void Simulation::restore(Checkpoint const& c) {
   for (auto const length : {c.eps.size(), c.T.size()})
     require(length == particles.eps.size(), "internal energies in the checkpoint", length,
             fmt::format("must be {} as in the scene", particles.eps.size()));
+  require(c.S.size() == particles.S.size(), "entropies in the checkpoint", c.S.size(),
+          fmt::format("must be {} as in the scene", particles.S.size()));
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
-  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
+  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.S = c.S, particles.T = c.T;
   particles.q = c.q_at_renewal;
   system_->neighbours.renew(particles);
   particles.q = c.q;
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
-  refresh_by(*system_, thermodynamics_from_temperature);
+  refresh_by(*system_, response_from_temperature);
 }
 
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {

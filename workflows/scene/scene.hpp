@@ -31,6 +31,7 @@ struct Scene {
     std::string eos; ///< a name of `eos list`, or the path of a fitted model
     double rho = 0, T = 0;
     std::optional<double> m0;
+    std::string centre_of_mass = "free";
     bool operator==(Fluid const&) const = default;
   } fluid;
   struct Particles {
@@ -40,6 +41,9 @@ struct Scene {
     double h_factor = 2.5;
     double disorder = 0.15;
     std::optional<double> mass; ///< dpd, dpde
+    std::string density = "plain";
+    std::optional<double> density_scale, density_self;
+    std::int64_t calibration_steps = 3000;
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {

@@ -45,6 +45,8 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
     store.write("eps", c.eps);
     store.write("T", c.T);
   }
+  if (!c.S.empty())
+    store.write("S", c.S);
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
   store.write("conduction_counts", integers(c.conduction_counts));
@@ -69,6 +71,7 @@ StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
                          .q_at_renewal = vectors(store.read_doubles("q_at_renewal")),
                          .p = vectors(store.read_doubles("p")),
                          .eps = if_there("eps"),
+                         .S = if_there("S"),
                          .T = if_there("T"),
                          .kept_energy = store.read_doubles("kept_energy").at(0),
                          .pair_counts = pair_counts(store.read_integers("pair_counts")),

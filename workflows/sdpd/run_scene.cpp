@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
+#include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/sdpd/trajectories.hpp"
 #include "workflows/summary.hpp"
@@ -17,10 +18,10 @@ constexpr std::int64_t instants = 40;
 class Run {
  public:
   Run(Scene const& scene, RunOptions const& options)
-      : scene_(scene), options_(options), settings_(settings_of(scene, options.threads)),
-        simulation_(settings_),
+      : options_(options), scene_(with_density_constants(scene)),
+        settings_(settings_of(scene_, options.threads)), simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
-                                                              resolved_toml(scene), inputs(scene)},
+                                                              resolved_toml(scene_), inputs(scene)},
         every_instant_(scene.run.instant_every > 0 ? scene.run.instant_every
                                                    : std::max<std::int64_t>(1, scene.run.steps / instants)) {}
 
@@ -57,6 +58,26 @@ class Run {
   }
 
   std::filesystem::path file(char const* name) const { return options_.directory / name; }
+  /// The scene with the constants of its densities: those that it gives, those of the checkpoint, or fresh
+  /// ones.
+  Scene with_density_constants(Scene scene) {
+    if (!wants_calibration(scene))
+      return scene;
+    auto& particles = scene.particles;
+    if (options_.resume) {
+      auto const stored = parse_scene(read_checkpoint(file("checkpoint.h5")).scene, file("checkpoint.h5"));
+      particles.density_scale = stored.particles.density_scale;
+      particles.density_self = stored.particles.density_self;
+      calibration_ = Json::parse(read_text_file(file("calibration.json")));
+      return scene;
+    }
+    auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
+    particles.density_scale = found.constants.scale, particles.density_self = found.constants.self;
+    calibration_ = calibration_json(found, OutputUnits(settings_of(scene, 1).units(), scene.units));
+    write_summary(file("calibration.json"), calibration_);
+    return scene;
+  }
+
   void start() {
     write_text_file(file("scene.toml"), provenance_.scene);
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
@@ -160,6 +181,10 @@ class Run {
     json["dt" + units_.time_key] = settings_.dt * units_.time;
     json["steps"] = scene_.run.steps;
     json["neighbours"] = result.neighbours;
+    json["density_scale"] = settings_.density_correction.scale;
+    json["density_self"] = settings_.density_correction.self;
+    if (!calibration_.is_null())
+      json["density_calibration"] = calibration_;
     put(json, "T_kin" + units_.temperature_key, in(e.T_kin, units_.temperature));
     if (observables.energies)
       put(json, "T_int" + units_.temperature_key, in(e.T_int, units_.temperature));
@@ -187,8 +212,9 @@ class Run {
     return json;
   }
 
-  Scene scene_;
   RunOptions const& options_;
+  Json calibration_; ///< null unless the constants of the densities were found by this run
+  Scene scene_;
   sdpd::SimulationSettings settings_;
   sdpd::Simulation simulation_;
   OutputUnits units_;

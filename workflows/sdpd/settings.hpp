@@ -16,6 +16,12 @@ sdpd::Scheme scheme_of(Scene const& scene);
 
 /// What the particles of a method have.
 sdpd::Observables observables_of(sdpd::SimulationSettings const& settings);
+/// Mean number of particles within the kernel's support, the particle itself with them.
+double neighbours_of(double h_factor);
+
+/// The constants that the scene gives or names; those of the plain sum when they are still to be calibrated.
+/// Throws InputError when there are none for the scene's kernel.
+sdpd::DensityCorrection density_correction_of(Scene const& scene);
 
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
