@@ -56,6 +56,11 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
+/// Without noise the centres of mass have no thermal motion that could carry anything.
+CentreOfMass centre_of_mass_of(SimulationSettings const& s) {
+  return s.noise ? s.centre_of_mass : CentreOfMass::bulk;
+}
+
 /// Boltzmann's constant of friction and conduction: what has no noise is the limit k_B -> 0.
 double noise_boltzmann(SimulationSettings const& s) {
   return s.noise ? 1 / s.K : 0;
@@ -81,7 +86,7 @@ System sdpd_system(SimulationSettings const& s) {
   AnyKernel const kernel = make_kernel(s.kernel, s.h_factor, s.density_correction.scale);
   return {
       .box = box_of(s),
-      .thermodynamics = make_thermodynamics(s.eos, units, s.centre_of_mass),
+      .thermodynamics = make_thermodynamics(s.eos, units, centre_of_mass_of(s)),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
       .potential = NoPotential{},
@@ -171,7 +176,7 @@ double heat_capacity_of_a_particle(SimulationSettings const& s) {
                eos.boltzmann();
       },
       s.eos);
-  return s.K * bulk - (s.centre_of_mass == CentreOfMass::free ? 1.5 : 0);
+  return s.K * bulk - (centre_of_mass_of(s) == CentreOfMass::free ? 1.5 : 0);
 }
 
 std::vector<double> heat_capacities(System const& system) {
@@ -215,7 +220,7 @@ void check_sdpd(SimulationSettings const& s) {
       C > least_heat_capacity, "particle size K", s.K,
       fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
                   "k_B is needed for a positive friction (theory, Eq. (2.16))",
-                  C, s.centre_of_mass == CentreOfMass::free ? " without its centre of mass" : "",
+                  C, centre_of_mass_of(s) == CentreOfMass::free ? " without its centre of mass" : "",
                   least_heat_capacity));
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   auto const& [scale, self] = s.density_correction;
