@@ -38,7 +38,8 @@ enum class Stream : std::uint32_t {
   conduction = 7,
   second_conduction = 8,
   conduction_acceptance = 9,
-  second_conduction_acceptance = 10
+  second_conduction_acceptance = 10,
+  bath = 11
 };
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.

@@ -3,6 +3,7 @@
 #include "sdpd/particle_eos.hpp"
 #include "sdpd/random.hpp"
 #include "sdpd/step/conservative.hpp"
+#include "sdpd/step/langevin.hpp"
 #include "sdpd/step/pair_forces.hpp"
 #include <algorithm>
 
@@ -190,6 +191,19 @@ struct MeanTemperatures {
   double T_kin = 0, T_int = 0;
 };
 
+void stop_if_asked(std::uint64_t step, std::function<bool()> const& keep_going) {
+  if (step % 32 == 0 && !keep_going())
+    throw Interrupted("stopped while the system came to equilibrium");
+}
+
+void run_in_bath(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    simulation.advance(1);
+    simulation.couple_to_bath();
+    stop_if_asked(k, keep_going);
+  }
+}
+
 /// With `quench`, kinetic energy that the settling structure sets free is taken out on the way: a structure
 /// of large particles falls from one arrangement to the next, and each fall is worth many of their k_B T.
 MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps, bool quench,
@@ -203,8 +217,7 @@ MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps, bo
     if (quench && k % quench_every == 0 && now.T_kin > too_hot)
       simulation.scale_momenta(1 / std::sqrt(now.T_kin));
     sum.T_kin += now.T_kin, sum.T_int += now.T_int;
-    if (k % 32 == 0 && !keep_going())
-      throw Interrupted("stopped while the system came to equilibrium");
+    stop_if_asked(k, keep_going);
   }
   return {sum.T_kin / static_cast<double>(steps), sum.T_int / static_cast<double>(steps)};
 }
@@ -260,6 +273,8 @@ void check(SimulationSettings const& s) {
           "must lie in 0 ... 0.5 lattice spacings");
   for (auto const n : s.lattice)
     require(n >= 1, "particles along an edge", n, "must be >= 1");
+  require(s.bath_rate >= 0 && std::isfinite(s.bath_rate), "rate of the bath", s.bath_rate, "must be >= 0");
+  require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
   s.pair_fluid ? check_pair_fluid(s) : check_sdpd(s);
   CellGrid(box_of(s), s.range() + skin_of(s));
 }
@@ -295,8 +310,8 @@ ReducedUnits SimulationSettings::units() const {
 }
 
 Simulation::Simulation(SimulationSettings const& settings)
-    : has_noise_(settings.noise), units_(settings.units()), dt_(settings.dt), scheme_(settings.scheme),
-      system_(make_system(settings)) {}
+    : has_noise_(settings.noise), bath_rate_(settings.bath_rate), units_(settings.units()), dt_(settings.dt),
+      scheme_(settings.scheme), system_(make_system(settings)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -354,6 +369,11 @@ void Simulation::heat(double rise) {
   auto& eps = system_->particles.eps;
   for (std::size_t i = 0; i < eps.size(); ++i)
     eps[i] += C[i] * rise;
+  refresh(*system_);
+}
+
+void Simulation::couple_to_bath() {
+  sdpd::couple_to_bath(*system_, bath_rate_, dt_);
   refresh(*system_);
 }
 
@@ -437,7 +457,7 @@ void Simulation::restore(Checkpoint const& c) {
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
   if (simulation.has_thermostat()) {
     if (steps > 0)
-      run_and_average(simulation, steps, keep_going);
+      run_and_average(simulation, steps, false, keep_going);
     return;
   }
   // Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps.
@@ -449,6 +469,11 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
     auto const end = static_cast<std::uint64_t>(share_done * static_cast<double>(steps));
     if (end == done)
       continue;
+    if (simulation.bath_rate() > 0 && share < 0.5) {
+      run_in_bath(simulation, end - done, keep_going);
+      done = end;
+      continue;
+    }
     auto const mean = run_and_average(simulation, end - done, share < 0.5, keep_going);
     done = end;
     if (!simulation.has_noise()) { // nothing but heat is there to be set

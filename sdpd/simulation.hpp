@@ -36,6 +36,7 @@ struct SimulationSettings {
   double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from dt and K
   double dt = 0;         ///< time step, reduced, > 0
   Scheme scheme = {};
+  double bath_rate = 0; ///< of the Langevin bath during equilibration, reduced, >= 0; 0: by rescaling
   std::uint64_t seed = 1;
   int threads = 1;
   /// For DPD and DPDE. The equation of state, K, the kernel, density correction, support and viscosities
@@ -106,6 +107,10 @@ class Simulation {
   /// Total heat capacity dE/dT, internal and kinetic, in k_B.
   double heat_capacity() const;
   void scale_momenta(double factor);
+  /// Couples the particles for one time step to a Langevin bath at the set temperature, with the settings'
+  /// bath_rate. Does not conserve energy.
+  void couple_to_bath();
+  double bath_rate() const { return bath_rate_; }
   /// Draws every particle's temperature anew from its equilibrium law at its density, a Gaussian of relative
   /// width (k_B/C)^(1/2) about the set one (from K = 50 or, for DPDE, C = 50 k_B on; smaller particles, which
   /// settle fast, get the set temperature).
@@ -122,6 +127,7 @@ class Simulation {
 
  private:
   bool has_noise_;
+  double bath_rate_;
   ReducedUnits units_;
   double dt_;
   Scheme scheme_;
@@ -132,7 +138,8 @@ class Simulation {
 /// runs of growing length, after each of which the difference between the mean temperature of the run and the
 /// set one is taken out as heat. Ends with a microcanonical system whose mean temperature is the set one
 /// within the noise of the last run (half of all steps). Without noise only the mean internal temperature is
-/// set. `keep_going` is asked now and then; when it says no, Interrupted is thrown.
+/// set. With a bath_rate the first half of the steps is coupled to the bath instead. `keep_going` is asked
+/// now and then; when it says no, Interrupted is thrown.
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going);
 
 } // namespace mesobridge::sdpd

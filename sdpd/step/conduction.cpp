@@ -147,6 +147,23 @@ void conduct(System& system, Conduction<Law> const& conduction) {
 
 } // namespace
 
+namespace {
+
+/// How the pairs' heat is treated by a scheme whose friction is not pair after pair.
+PairScheme of_conduction(PairScheme scheme) {
+  switch (scheme) {
+  case PairScheme::ser:
+  case PairScheme::hybrid:
+    return PairScheme::ssa;
+  case PairScheme::ser_implicit:
+    return PairScheme::ams;
+  default:
+    return scheme;
+  }
+}
+
+} // namespace
+
 void conduct(System& system, PairScheme scheme, double dt, bool second) {
   auto const pairs = second ? Stream::second_conduction : Stream::conduction,
              acceptance = second ? Stream::second_conduction_acceptance : Stream::conduction_acceptance;
@@ -154,7 +171,7 @@ void conduct(System& system, PairScheme scheme, double dt, bool second) {
       [&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, std::monostate>)
           conduct(system, Conduction<Law>{.law = law,
-                                          .scheme = scheme == PairScheme::ser ? PairScheme::ssa : scheme,
+                                          .scheme = of_conduction(scheme),
                                           .dt = dt,
                                           .noise = NoiseSource(system.seed, pairs, system.step),
                                           .acceptance = NoiseSource(system.seed, acceptance, system.step)});

@@ -1,5 +1,7 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
+#include "sdpd/step/fluctuation_hybrid.hpp"
+#include "sdpd/step/fluctuation_implicit.hpp"
 #include "sdpd/step/fluctuation_isothermal.hpp"
 #include "sdpd/step/metropolis_lanes.hpp"
 
@@ -325,6 +327,8 @@ void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, boo
     case PairScheme::ems:
       return fluctuate<PairScheme::ems>(system, law, dt, second);
     case PairScheme::ser:
+    case PairScheme::ser_implicit:
+    case PairScheme::hybrid:
       break; // made below for every law
     }
 }
@@ -332,6 +336,10 @@ void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, boo
 } // namespace
 
 void fluctuate(System& system, PairScheme scheme, double dt, bool second) {
+  if (scheme == PairScheme::ser_implicit)
+    return fluctuate_implicit(system, dt, second);
+  if (scheme == PairScheme::hybrid)
+    return fluctuate_hybrid(system, dt, second);
   if (scheme == PairScheme::ser)
     return fluctuate_ser(system, dt, second);
   std::visit([&](auto const& law) { fluctuate(system, law, scheme, dt, second); }, system.law);

@@ -107,7 +107,7 @@ Command bench_engine_command() {
                 ->check(CLI::Range(5.0, 200.0))
                 ->capture_default_str();
             app.add_option("--scheme", options->scheme, "time-stepping scheme")
-                ->check(CLI::IsMember({"ssa", "ams", "ems", "ser"}))
+                ->check(CLI::IsMember({"ssa", "ams", "ems", "ser", "ser-implicit", "hybrid"}))
                 ->capture_default_str();
             app.add_option("--fluctuate-every", options->fluctuate_every,
                            "conservative steps for one of fluctuation and dissipation")

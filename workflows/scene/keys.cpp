@@ -286,10 +286,11 @@ std::vector<SceneKey> const& scene_keys() {
       Line(
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
           "what is done with the fluctuation and dissipation of a pair: made (ssa), not made when an energy "
-          "leaves "
-          "the equation of state (ams), put to a Metropolis test too (ems), or "
-          "all pairs at once, for short time steps (ser)")
-          .choices({"ssa", "ams", "ems", "ser"}),
+          "leaves the equation of state (ams), put to a Metropolis test too (ems); all pairs at once, for "
+          "short "
+          "time steps (ser) or implicitly (ser-implicit); ssa within eight domains and ser between them "
+          "(hybrid)")
+          .choices({"ssa", "ams", "ems", "ser", "ser-implicit", "hybrid"}),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20))")
@@ -318,6 +319,16 @@ std::vector<SceneKey> const& scene_keys() {
       Line(
           "run", "equilibrate", [](Scene& s) { return &s.run.equilibrate; }, "steps before the first sample")
           .in(not_negative),
+      Line(
+          "run", "thermostat", [](Scene& s) { return &s.run.thermostat; },
+          "of the equilibration: momenta and heat set now and then (rescale), or a Langevin bath for the "
+          "first "
+          "half of its steps (langevin)")
+          .choices({"rescale", "langevin"}),
+      Line(
+          "run", "bath_rate", [](Scene& s) { return &s.run.bath_rate; },
+          "rate at which the Langevin bath takes hold, per reduced time unit of size K")
+          .in(positive),
       Line(
           "run", "steps", [](Scene& s) { return &s.run.steps; }, "steps that are sampled")
           .required()

@@ -82,6 +82,8 @@ struct Scene {
     std::int64_t equilibrate = 0, steps = 0, sample_every = 10, instant_every = 0, trajectory_every = 0,
                  vtkhdf_every = 0, xyz_every = 0, checkpoint_every = 1000;
     std::int64_t seed = 1;
+    std::string thermostat = "rescale";
+    double bath_rate = 1;
     bool operator==(Run const&) const = default;
   } run;
   struct Output {

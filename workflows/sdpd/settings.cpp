@@ -29,10 +29,12 @@ std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
 }
 
 sdpd::PairScheme pair_scheme_of(std::string const& name) {
-  return name == "ems"   ? sdpd::PairScheme::ems
-         : name == "ams" ? sdpd::PairScheme::ams
-         : name == "ser" ? sdpd::PairScheme::ser
-                         : sdpd::PairScheme::ssa;
+  return name == "ems"            ? sdpd::PairScheme::ems
+         : name == "ams"          ? sdpd::PairScheme::ams
+         : name == "ser"          ? sdpd::PairScheme::ser
+         : name == "ser-implicit" ? sdpd::PairScheme::ser_implicit
+         : name == "hybrid"       ? sdpd::PairScheme::hybrid
+                                  : sdpd::PairScheme::ssa;
 }
 
 sdpd::Scheme scheme_of(Scene const& scene) {
@@ -80,6 +82,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .noise = scene.scheme.noise == "on",
       .dt = scene.scheme.dt.value,
       .scheme = scheme_of(scene),
+      .bath_rate = scene.run.thermostat == "langevin" ? scene.run.bath_rate : 0,
       .seed = static_cast<std::uint64_t>(scene.run.seed),
       .threads = threads,
   };

@@ -8,7 +8,7 @@ namespace mesobridge::workflows {
 /// model's file. Throws InputError.
 fitting::AnyEos eos_of(Scene const& scene);
 
-/// "ssa", "ams", "ems" or "ser".
+/// "ssa", "ams", "ems", "ser", "ser-implicit" or "hybrid".
 sdpd::PairScheme pair_scheme_of(std::string const& name);
 
 /// The scene's table `scheme`.

@@ -64,7 +64,7 @@ SimulationSettings without_noise(SimulationSettings settings, PairScheme pairs) 
 
 class SmoothedParticleHydrodynamics : public ::testing::TestWithParam<PairScheme> {};
 
-// On a lattice the wave is an eigenvector of the friction, so that its decay is known exactly; it is 2.3 %
+// On a lattice the wave is an eigenvector of the friction, so that its decay is known exactly; it is 3.6 %
 // slower than that of the Navier-Stokes equations: the SPH error of this kernel on this lattice at this wave
 // number. Only the beginning is looked at: later on the stiffness of the lattice speeds the decay up.
 TEST_P(SmoothedParticleHydrodynamics, DampsAShearWaveWithTheSetViscosityAndHeatsTheFluid) {
