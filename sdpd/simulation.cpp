@@ -187,6 +187,17 @@ std::vector<double> heat_capacities(System const& system) {
   return C;
 }
 
+void check_lengths(Checkpoint const& c, Particles const& of) {
+  for (auto const length : {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size()})
+    require(length == of.size(), "particles in the checkpoint", length,
+            fmt::format("must be {} as in the scene", of.size()));
+  for (auto const length : {c.eps.size(), c.T.size()})
+    require(length == of.eps.size(), "internal energies in the checkpoint", length,
+            fmt::format("must be {} as in the scene", of.eps.size()));
+  require(c.S.size() == of.S.size(), "entropies in the checkpoint", c.S.size(),
+          fmt::format("must be {} as in the scene", of.S.size()));
+}
+
 struct MeanTemperatures {
   double T_kin = 0, T_int = 0;
 };
@@ -435,14 +446,7 @@ Checkpoint Simulation::checkpoint() const {
 
 void Simulation::restore(Checkpoint const& c) {
   auto& particles = system_->particles;
-  std::size_t const n = size();
-  for (auto const length : {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size()})
-    require(length == n, "particles in the checkpoint", length, fmt::format("must be {} as in the scene", n));
-  for (auto const length : {c.eps.size(), c.T.size()})
-    require(length == particles.eps.size(), "internal energies in the checkpoint", length,
-            fmt::format("must be {} as in the scene", particles.eps.size()));
-  require(c.S.size() == particles.S.size(), "entropies in the checkpoint", c.S.size(),
-          fmt::format("must be {} as in the scene", particles.S.size()));
+  check_lengths(c, particles);
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
   particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.S = c.S, particles.T = c.T;
   particles.q = c.q_at_renewal;
@@ -452,6 +456,15 @@ void Simulation::restore(Checkpoint const& c) {
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
   refresh_by(*system_, response_from_temperature);
+}
+
+void Simulation::begin_from(Checkpoint const& c) {
+  auto& particles = system_->particles;
+  check_lengths(c, particles);
+  particles.id = c.id, particles.q = c.q, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
+  system_->step = c.step;
+  system_->neighbours.renew(particles);
+  refresh(*system_);
 }
 
 void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {

@@ -124,6 +124,9 @@ class Simulation {
   Checkpoint checkpoint() const;
   /// Throws InputError when the checkpoint does not belong to these settings.
   void restore(Checkpoint const& checkpoint);
+  /// Begins where another simulation of as many particles was, with lists and a time step of its own: the
+  /// same state, but not the same bits as the other's next steps. Throws InputError as restore does.
+  void begin_from(Checkpoint const& checkpoint);
 
  private:
   bool has_noise_;

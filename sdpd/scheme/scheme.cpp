@@ -25,12 +25,39 @@ void follow_energies(System& system) {
     find_forces(system);
 }
 
-void verlet_step(System& system, double dt) {
-  kick(system, dt / 2);
+/// Moves the particles and finds the forces of their new places, at constant entropies.
+void move(System& system, double dt) {
   drift(system, dt);
   refresh_lists(system);
   follow_positions(system);
+}
+
+void verlet_step(System& system, double dt) {
   kick(system, dt / 2);
+  move(system, dt);
+  kick(system, dt / 2);
+}
+
+/// McLachlan's scheme of two stages and least error (SIAM J. Sci. Comput. 16 (1995) 151; Omelyan, Mryglod and
+/// Folk, Comput. Phys. Commun. 151 (2003) 272, Eq. (25)). Symplectic and time-reversible, as Verlet is.
+void two_stage_step(System& system, double dt) {
+  constexpr double outer = 0.1931833275037836;
+  kick(system, outer * dt);
+  move(system, dt / 2);
+  kick(system, (1 - 2 * outer) * dt);
+  move(system, dt / 2);
+  kick(system, outer * dt);
+}
+
+void conservative_step(System& system, Conservative conservative, double dt) {
+  switch (conservative) {
+  case Conservative::verlet:
+    return verlet_step(system, dt);
+  case Conservative::two_stage:
+    return two_stage_step(system, dt);
+  case Conservative::none:
+    return;
+  }
 }
 
 /// Brings the total energy back to what it was, with one change of temperature for all particles.
@@ -81,7 +108,7 @@ void step(System& system, Scheme const& scheme, double dt) {
   double const sweep_dt = scheme.verlet_steps * dt * (strang ? 0.5 : 1);
   if (strang && system.step % scheme.verlet_steps == 0)
     fluctuation_step(system, scheme, sweep_dt, false);
-  verlet_step(system, dt);
+  conservative_step(system, scheme.conservative, dt);
   if ((system.step + 1) % scheme.verlet_steps == 0)
     fluctuation_step(system, scheme, sweep_dt, strang);
   ++system.step;

@@ -11,20 +11,28 @@ enum class Splitting {
   strang       ///< half of fluctuation and dissipation, conservative step, the other half
 };
 
+/// How positions and momenta follow the conservative forces over a time step.
+enum class Conservative {
+  verlet,    ///< Velocity Verlet: one evaluation of the forces
+  two_stage, ///< half a step of drift twice between three kicks: two evaluations, a far smaller energy error
+  none       ///< positions stay where they are: fluctuation and dissipation alone, for studies of it
+};
+
 /// A scheme: how the conservative dynamics and the pairs' fluctuation and dissipation alternate (theory
 /// sheet, section 3).
 struct Scheme {
   PairScheme pairs = PairScheme::ssa;
-  /// Verlet steps for one sweep of fluctuation and dissipation (multiple time steps, theta), >= 1.
+  /// Conservative steps for one sweep of fluctuation and dissipation (multiple time steps, theta), >= 1.
   std::uint32_t verlet_steps = 1;
   Splitting splitting = Splitting::lie_trotter;
+  Conservative conservative = Conservative::verlet;
   /// Takes the energy that the Verlet steps lose or gain out of the internal energies after each sweep, as
   /// the same change of temperature for all particles.
   bool keep_energy = false;
 };
 
-/// One Verlet step over dt at constant entropies, and fluctuation and dissipation when it is their turn.
-/// Before and after it, eps, S, T, P and f belong to the positions. Throws PhysicsError when a particle
+/// One conservative step over dt at constant entropies, and fluctuation and dissipation when it is their
+/// turn. Before and after it, eps, S, T, P and f belong to the positions. Throws PhysicsError when a particle
 /// leaves the equation of state.
 void step(System& system, Scheme const& scheme, double dt);
 

@@ -1,3 +1,4 @@
+#include "sdpd/scheme/list.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -27,7 +28,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads) {
           .disorder = 0.15,
           .eta = 2e-3,
           .dt = ideal ? 0.1 : 0.05,
-          .scheme = {.pairs = pair_scheme_of(options.scheme), .verlet_steps = options.fluctuate_every},
+          .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
           .threads = threads};
 }
 
@@ -107,7 +108,7 @@ Command bench_engine_command() {
                 ->check(CLI::Range(5.0, 200.0))
                 ->capture_default_str();
             app.add_option("--scheme", options->scheme, "time-stepping scheme")
-                ->check(CLI::IsMember({"ssa", "ams", "ems", "ser", "ser-implicit", "hybrid"}))
+                ->check(CLI::IsMember(sdpd::pair_scheme_names()))
                 ->capture_default_str();
             app.add_option("--fluctuate-every", options->fluctuate_every,
                            "conservative steps for one of fluctuation and dissipation")

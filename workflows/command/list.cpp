@@ -25,6 +25,7 @@ std::vector<Command> commands() {
       eos_table_command(),
       run_command(),
       workflow_lj_to_sdpd_command(),
+      reproduce_command(),
       check_command(),
       bench_engine_command(),
       bench_eos_command(),

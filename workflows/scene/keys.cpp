@@ -1,6 +1,7 @@
 #include "workflows/scene/keys.hpp"
 #include "md/error.hpp"
 #include "sdpd/kernel/list.hpp"
+#include "sdpd/scheme/list.hpp"
 #include <algorithm>
 #include <sstream>
 #include <toml++/toml.h>
@@ -48,6 +49,20 @@ std::string type_name(SceneKey const& key) {
   };
   Scene scene;
   return std::visit(Namer{}, key.slot(scene));
+}
+
+std::string pair_scheme_summaries() {
+  std::vector<std::string> words;
+  for (auto const& scheme : sdpd::pair_schemes())
+    words.push_back(scheme.name + ": " + scheme.summary);
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string conservative_summaries() {
+  std::vector<std::string> words;
+  for (auto const& integrator : sdpd::conservative_integrators())
+    words.push_back(integrator.name + ": " + integrator.summary);
+  return fmt::format("{}", fmt::join(words, "; "));
 }
 
 std::string quoted(std::string const& text) {
@@ -285,12 +300,8 @@ std::vector<SceneKey> const& scene_keys() {
 
       Line(
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
-          "what is done with the fluctuation and dissipation of a pair: made (ssa), not made when an energy "
-          "leaves the equation of state (ams), put to a Metropolis test too (ems); all pairs at once, for "
-          "short "
-          "time steps (ser) or implicitly (ser-implicit); ssa within eight domains and ser between them "
-          "(hybrid)")
-          .choices({"ssa", "ams", "ems", "ser", "ser-implicit", "hybrid"}),
+          "what is done with the fluctuation and dissipation of a pair: " + pair_scheme_summaries())
+          .choices(sdpd::pair_scheme_names()),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20))")
@@ -301,6 +312,10 @@ std::vector<SceneKey> const& scene_keys() {
           "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
           "either side (strang)")
           .choices({"lie-trotter", "strang"}),
+      Line(
+          "scheme", "conservative", [](Scene& s) { return &s.scheme.conservative; },
+          "integrator of the conservative forces: " + conservative_summaries())
+          .choices(sdpd::conservative_names()),
       Line(
           "scheme", "fluctuate_every", [](Scene& s) { return &s.scheme.fluctuate_every; },
           "conservative steps for one of fluctuation and dissipation (multiple time steps)")

@@ -73,6 +73,7 @@ struct Scene {
     std::string name = "ssa";
     TimeStep dt;
     std::string splitting = "lie-trotter";
+    std::string conservative = "verlet";
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
     std::string noise = "on";

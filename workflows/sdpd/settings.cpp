@@ -1,5 +1,6 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "workflows/sdpd/pair_fluid_of.hpp"
 #include "workflows/text_file.hpp"
 #include <numbers>
@@ -28,21 +29,13 @@ std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
           static_cast<std::uint32_t>(best[2])};
 }
 
-sdpd::PairScheme pair_scheme_of(std::string const& name) {
-  return name == "ems"            ? sdpd::PairScheme::ems
-         : name == "ams"          ? sdpd::PairScheme::ams
-         : name == "ser"          ? sdpd::PairScheme::ser
-         : name == "ser-implicit" ? sdpd::PairScheme::ser_implicit
-         : name == "hybrid"       ? sdpd::PairScheme::hybrid
-                                  : sdpd::PairScheme::ssa;
-}
-
 sdpd::Scheme scheme_of(Scene const& scene) {
-  auto const& [name, dt, splitting, fluctuate_every, energy, noise] = scene.scheme;
-  return {.pairs = pair_scheme_of(name),
-          .verlet_steps = static_cast<std::uint32_t>(fluctuate_every),
-          .splitting = splitting == "strang" ? sdpd::Splitting::strang : sdpd::Splitting::lie_trotter,
-          .keep_energy = energy == "kept"};
+  auto const& of = scene.scheme;
+  return {.pairs = sdpd::pair_scheme(of.name),
+          .verlet_steps = static_cast<std::uint32_t>(of.fluctuate_every),
+          .splitting = of.splitting == "strang" ? sdpd::Splitting::strang : sdpd::Splitting::lie_trotter,
+          .conservative = sdpd::conservative_integrator(of.conservative),
+          .keep_energy = of.energy == "kept"};
 }
 
 sdpd::Observables observables_of(sdpd::SimulationSettings const& settings) {

@@ -8,9 +8,6 @@ namespace mesobridge::workflows {
 /// model's file. Throws InputError.
 fitting::AnyEos eos_of(Scene const& scene);
 
-/// "ssa", "ams", "ems", "ser", "ser-implicit" or "hybrid".
-sdpd::PairScheme pair_scheme_of(std::string const& name);
-
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
 

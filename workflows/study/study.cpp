@@ -1,0 +1,107 @@
+#include "workflows/study/study.hpp"
+#include "workflows/job_pool.hpp"
+#include "workflows/study/trial_file.hpp"
+#include <map>
+#include <mutex>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// What trials with a common start share.
+std::string start_key(Scene scene) {
+  scene.title.clear();
+  scene.scheme = {};
+  scene.run = {.seed = scene.run.seed};
+  return resolved_toml(scene);
+}
+
+/// The common starts, each made once by the first job that needs it.
+class Starts {
+ public:
+  Starts(std::vector<PlannedTrial> const& plan, StudyOptions const& options) : options_(options) {
+    for (auto const& trial : plan)
+      starts_.try_emplace(start_key(trial.scene));
+  }
+  sdpd::Checkpoint const& of(Scene const& scene, std::function<bool()> const& keep_going) {
+    auto& start = starts_.at(start_key(scene));
+    std::lock_guard const lock(start.mutex);
+    if (!start.checkpoint)
+      start.checkpoint = equilibrated_start(scene, options_.start_dt, options_.start_time, keep_going);
+    return *start.checkpoint;
+  }
+
+ private:
+  struct Start {
+    std::mutex mutex;
+    std::optional<sdpd::Checkpoint> checkpoint;
+  };
+  StudyOptions const& options_;
+  std::map<std::string, Start> starts_;
+};
+
+double work_of(Scene const& scene) {
+  return static_cast<double>(scene.particles.N) *
+         static_cast<double>(scene.run.equilibrate + scene.run.steps);
+}
+
+} // namespace
+
+std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options) {
+  std::vector<TrialResult> results(plan.size());
+  Starts starts(plan, options);
+  double total = 0, done = 0;
+  for (auto const& trial : plan)
+    total += work_of(trial.scene);
+  std::mutex mutex;
+  std::vector<std::function<void()>> jobs;
+  for (std::size_t k = 0; k < plan.size(); ++k)
+    jobs.push_back([&, k] {
+      auto const& [name, scene, bins] = plan[k];
+      auto tell = [&](double share) {
+        std::lock_guard const lock(mutex);
+        return options.keep_going((done + share * work_of(scene)) / total, name);
+      };
+      auto const file = options.directory / (name + ".json");
+      std::string const made_of = identity({name, scene, bins.value_or(EnergyBins{})}) +
+                                  fmt::format(" start {} {}", options.start_dt, options.start_time);
+      auto stored = options.directory.empty() ? std::nullopt : read_trial(file, made_of);
+      if (!stored) {
+        auto const& start = starts.of(scene, [&] { return tell(0); });
+        Trial const trial{name, scene, bins.value_or(bins_around(start, scene.particles.K))};
+        double const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);
+        stored =
+            run_trial(trial, start, [&](std::uint64_t at) { return tell(static_cast<double>(at) / steps); });
+        if (!options.directory.empty())
+          write_trial(file, made_of, *stored);
+      }
+      results[k] = std::move(*stored);
+      std::lock_guard const lock(mutex);
+      done += work_of(scene);
+    });
+  run_jobs(jobs, options.threads);
+  return results;
+}
+
+Scene small_sample(Scene const& scene, std::int64_t particles) {
+  Scene sample = scene;
+  constexpr double room = 1.5; // for the skin of the lists on both sides
+  auto const narrowest = static_cast<std::int64_t>(std::ceil(2 * scene.particles.h_factor + room));
+  auto const side = std::max(narrowest, static_cast<std::int64_t>(std::llround(std::cbrt(particles))));
+  sample.particles.N = side * side * side;
+  sample.run.trajectory_every = 0;
+  sample.run.checkpoint_every = 0;
+  sample.output = {};
+  return sample;
+}
+
+void set_times(Scene& scene, double dt, double settle, double time) {
+  auto steps = [dt](double t) { return static_cast<std::int64_t>(std::ceil(t / dt)); };
+  constexpr double between_samples = 0.4;
+  scene.scheme.dt = {.value = dt, .reduced = true};
+  scene.run.equilibrate = steps(settle);
+  scene.run.steps = std::max<std::int64_t>(steps(time), 128);
+  scene.run.sample_every = std::max<std::int64_t>(
+      1, std::min<std::int64_t>(std::llround(between_samples / dt), scene.run.steps / 64));
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,36 @@
+#pragma once
+#include "workflows/study/trial.hpp"
+
+namespace mesobridge::workflows {
+
+/// A trial that is planned: its scene without energy bins, which come from the common start of its size.
+struct PlannedTrial {
+  std::string name;
+  Scene scene;
+  std::optional<EnergyBins> bins; ///< others than those around the start
+};
+
+struct StudyOptions {
+  std::filesystem::path directory; ///< of the stored trials; empty: nothing is stored
+  int threads = 1;
+  double start_dt = 0.05; ///< reduced time step of the common starts
+  double start_time = 60; ///< reduced time in which they come to equilibrium
+  /// Told the share of the work that is done (0 ... 1) and the trial's name; false stops the study.
+  std::function<bool(double, std::string const&)> keep_going = [](double, std::string const&) {
+    return true;
+  };
+};
+
+/// Runs all trials, several at a time, each on one thread; scenes of one size of particles begin in the same
+/// state. Finished trials are stored in the directory and read back instead of being run again. The results
+/// do not depend on the threads, but for the times. In the order of the plan. Throws Interrupted.
+std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options);
+
+/// The scene cut down to what a study needs: a small box of its fluid (at least `particles`, a cube).
+Scene small_sample(Scene const& scene, std::int64_t particles);
+
+/// Sets the reduced time step, and steps such that `settle` and `time` (reduced) pass, sampled about every
+/// 0.4 units.
+void set_times(Scene& scene, double dt, double settle, double time);
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,242 @@
+#include "workflows/study/trade_off.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr double settle = 10;           ///< reduced time after the change to a trial's scheme
+constexpr double stability_time = 50;   ///< reduced time that a run has to survive to count as stable
+constexpr double stability_limit = 2;   ///< larger time steps are not tried
+constexpr double stability_ratio = 1.1; ///< the limit is known to this factor
+constexpr double safety = 0.8;          ///< of the stability limit that a recommendation leaves
+
+Scene with(Scene scene, Configuration const& configuration, double dt) {
+  scene.particles.K = configuration.K;
+  scene.scheme.name = configuration.scheme;
+  scene.scheme.splitting = configuration.splitting;
+  scene.scheme.conservative = configuration.integrator;
+  scene.scheme.dt = {.value = dt, .reduced = true};
+  return scene;
+}
+
+std::vector<Configuration> configurations(TradeOffPlan const& plan) {
+  std::vector<Configuration> all;
+  for (double const K : plan.K)
+    for (auto const& scheme : plan.schemes)
+      for (auto const& splitting : plan.splittings)
+        for (auto const& integrator : plan.integrators)
+          all.push_back({.scheme = scheme, .splitting = splitting, .integrator = integrator, .K = K});
+  return all;
+}
+
+std::vector<PlannedTrial> planned_trials(Scene const& sample, TradeOffPlan const& plan,
+                                         std::vector<Configuration> const& all) {
+  std::vector<PlannedTrial> trials;
+  for (auto const& configuration : all)
+    for (double const dt : plan.dt) {
+      Scene scene = with(sample, configuration, dt);
+      set_times(scene, dt, settle, plan.time);
+      trials.push_back({fmt::format("{}-dt{:g}", configuration.name(), dt), scene, std::nullopt});
+    }
+  return trials;
+}
+
+/// One short run: does the configuration survive this time step?
+bool survives(Scene const& sample, Configuration const& configuration, double dt,
+              StudyOptions const& options) {
+  Scene scene = with(sample, configuration, dt);
+  set_times(scene, dt, 0, stability_time);
+  auto const name = fmt::format("stability-{}-dt{:.4g}", configuration.name(), dt);
+  return !run_study({{name, scene, std::nullopt}}, options).front().failed();
+}
+
+/// Bisection between the largest time step that went through and the smallest that failed.
+void find_stability_limit(Scene const& sample, TradeOffPlan const& plan, StudyOptions const& options,
+                          Configuration& configuration) {
+  for (std::size_t k = 0; k < plan.dt.size(); ++k) {
+    auto& bound = configuration.trials[k].failed() ? configuration.failing_dt : configuration.stable_dt;
+    double const dt = plan.dt[k];
+    bound = !bound ? dt : configuration.trials[k].failed() ? std::min(*bound, dt) : std::max(*bound, dt);
+  }
+  auto &stable = configuration.stable_dt, &failing = configuration.failing_dt;
+  constexpr int most_runs = 16;
+  for (int run = 0; run < most_runs; ++run) {
+    if (stable && failing && *failing < stability_ratio * *stable)
+      return;
+    double const dt = !failing  ? std::min(1.5 * *stable, stability_limit)
+                      : !stable ? *failing / 2
+                                : std::sqrt(*stable * *failing);
+    if (!failing && *stable >= stability_limit)
+      return;
+    (survives(sample, configuration, dt, options) ? stable : failing) = dt;
+  }
+}
+
+cg::Estimate relative(cg::Estimate const& found, cg::Estimate const& reference) {
+  double const size = std::abs(reference.mean);
+  return {(found.mean - reference.mean) / size, std::hypot(found.se, reference.se) / size,
+          std::min(found.n_eff, reference.n_eff)};
+}
+
+double bound_of(cg::Estimate const& bias) {
+  return std::abs(bias.mean) + bias.se;
+}
+
+/// c of bias = c dt^2, weighted least squares through the origin.
+cg::Estimate quadratic(std::vector<double> const& dt, std::vector<cg::Estimate> const& bias) {
+  double top = 0, bottom = 0;
+  for (std::size_t k = 0; k < dt.size(); ++k) {
+    double const x = dt[k] * dt[k], weight = 1 / (bias[k].se * bias[k].se);
+    top += weight * x * bias[k].mean;
+    bottom += weight * x * x;
+  }
+  return {top / bottom, 1 / std::sqrt(bottom), static_cast<double>(dt.size())};
+}
+
+struct Limit {
+  double dt;
+  std::string because;
+  void lower(double other, std::string reason) {
+    if (other < dt)
+      dt = other, because = std::move(reason);
+  }
+};
+
+/// False when the target cannot be met.
+bool limit_by_drift(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
+  if (of.drift.known()) {
+    limit.lower(of.drift.x_of(wanted), "the wanted energy drift");
+    constexpr double farthest = 4; // a power law is not believed farther below the time steps that were run
+    return limit.dt * farthest >= of.drift.x_min;
+  }
+  double largest = 0; // rates that are not resolved: what they can be at most
+  for (std::size_t k = 0; k < of.trials.size(); ++k) {
+    auto const drift = of.trials[k].drift();
+    if (!of.trials[k].failed() && drift.rate + 2 * drift.se <= wanted)
+      largest = std::max(largest, found.plan.dt[k]);
+  }
+  limit.lower(largest, "the wanted energy drift");
+  return largest > 0;
+}
+
+void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
+  for (auto const member : {&Bias::T_kin, &Bias::T_int, &Bias::P}) {
+    std::vector<double> dt;
+    std::vector<cg::Estimate> bias;
+    for (std::size_t k = 0; k < of.trials.size(); ++k)
+      if (!of.trials[k].failed()) {
+        dt.push_back(found.plan.dt[k]);
+        bias.push_back(found.bias(of, of.trials[k]).*member);
+      }
+    limit.lower(std::sqrt(wanted / bound_of(quadratic(dt, bias))), "the wanted bias");
+  }
+}
+
+double rounded_down(double dt) {
+  double const unit = std::pow(10, std::floor(std::log10(dt)) - 1);
+  return std::floor(dt / unit + 1e-9) * unit;
+}
+
+} // namespace
+
+std::string Configuration::name() const {
+  return fmt::format("K{:g}-{}-{}-{}", K, scheme, splitting, integrator);
+}
+
+double Bias::bound() const {
+  return std::max({bound_of(T_kin), bound_of(T_int), bound_of(P)});
+}
+
+TrialResult const& TradeOff::reference(double K) const {
+  TrialResult const* best = nullptr;
+  bool best_is_exact = false;
+  for (auto const& configuration : configurations)
+    for (auto const& trial : configuration.trials) {
+      bool const exact = configuration.scheme == "ems";
+      if (configuration.K != K || trial.failed())
+        continue;
+      if (!best || (exact && !best_is_exact) || (exact == best_is_exact && trial.dt < best->dt))
+        best = &trial, best_is_exact = exact;
+    }
+  if (!best)
+    throw PhysicsError(fmt::format("no run at K = {:g} went through: take shorter time steps", K));
+  return *best;
+}
+
+Bias TradeOff::bias(Configuration const& of, TrialResult const& trial) const {
+  auto const& exact = reference(of.K);
+  Bias bias{.T_kin = relative(trial.T_kin, exact.T_kin),
+            .T_int = relative(trial.T_int, exact.T_int),
+            .P = relative(trial.P, exact.P),
+            .eps_variance = relative(trial.eps_variance, exact.eps_variance)};
+  auto histogram = exact.histogram();
+  if (scene.fluid.eos == "ideal-gas") {
+    double const shape = 1.5 * (of.K - 1);
+    bias.eps_variance = relative(trial.eps_variance, {shape, 0, trial.eps_variance.n_eff});
+    histogram = gamma_law(of.K, trial.bins);
+  }
+  bias.distribution = distribution_error(trial.histogram(), histogram);
+  bias.distribution_noise = distribution_noise(trial, histogram);
+  return bias;
+}
+
+TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions const& options) {
+  auto const sample = small_sample(scene, plan.particles);
+  TradeOff found{.scene = sample, .plan = plan, .configurations = configurations(plan)};
+  auto const results = run_study(planned_trials(sample, plan, found.configurations), options);
+  auto result = results.begin();
+  for (auto& configuration : found.configurations) {
+    std::vector<double> dt;
+    std::vector<cg::Estimate> rates;
+    for (double const step : plan.dt) {
+      configuration.trials.push_back(*result++);
+      auto const& trial = configuration.trials.back();
+      if (trial.failed())
+        continue;
+      dt.push_back(step);
+      rates.push_back({trial.drift().rate, trial.drift().se, 8});
+    }
+    configuration.drift = fit_power_law(dt, rates);
+  }
+  if (plan.stability_limit)
+    for (auto& configuration : found.configurations)
+      find_stability_limit(sample, plan, options, configuration);
+  return found;
+}
+
+std::optional<Recommendation> largest_dt(TradeOff const& found, std::size_t index, Target const& target) {
+  auto const& of = found.configurations[index];
+  std::optional<std::size_t> largest;
+  for (std::size_t k = 0; k < of.trials.size(); ++k)
+    if (!of.trials[k].failed() && (!largest || found.plan.dt[k] > found.plan.dt[*largest]))
+      largest = k;
+  if (!largest)
+    return std::nullopt;
+  Limit limit{found.plan.dt[*largest], "the largest time step that was run"};
+  if (of.failing_dt)
+    limit.lower(safety * *of.failing_dt, "stability");
+  if (target.drift && !limit_by_drift(found, of, *target.drift, limit))
+    return std::nullopt;
+  if (target.bias)
+    limit_by_bias(found, of, *target.bias, limit);
+  double const dt = rounded_down(limit.dt);
+  return Recommendation{.configuration = index,
+                        .dt = dt,
+                        .us_per_particle_time = of.trials[*largest].us_per_particle_step / dt,
+                        .because = limit.because};
+}
+
+std::optional<Recommendation> recommend(TradeOff const& found, double K, Target const& target) {
+  std::optional<Recommendation> best;
+  for (std::size_t index = 0; index < found.configurations.size(); ++index) {
+    if (found.configurations[index].K != K)
+      continue;
+    auto const choice = largest_dt(found, index, target);
+    if (choice && (!best || choice->us_per_particle_time < best->us_per_particle_time))
+      best = choice;
+  }
+  return best;
+}
+
+} // namespace mesobridge::workflows

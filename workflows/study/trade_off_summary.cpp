@@ -1,0 +1,290 @@
+#include "workflows/study/trade_off_summary.hpp"
+#include "workflows/report/number_text.hpp"
+#include "workflows/report/plot.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/summary.hpp"
+#include <set>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// Units of a size's results.
+struct SizeUnits {
+  OutputUnits units;
+  bool si;
+  double ps; ///< of a reduced unit of time; in Lennard-Jones scenes Lennard-Jones units of time
+};
+
+SizeUnits units_of(TradeOff const& found, double K) {
+  Scene scene = found.scene;
+  scene.particles.K = K;
+  bool const si = scene.units == UnitSystem::SI;
+  OutputUnits const units(settings_of(scene, 1).units(), scene.units);
+  return {units, si, units.time * (si ? 1e12 : 1)};
+}
+
+std::string time_name(SizeUnits const& units) {
+  return units.si ? "ps" : "LJ time";
+}
+
+cg::Estimate estimate(sdpd::Drift const& drift, double unit) {
+  return {drift.rate / unit, drift.se / unit, 8};
+}
+
+std::string short_name(Configuration const& of) {
+  return fmt::format("{}{}{}{}", of.scheme, of.splitting == "lie-trotter" ? "" : ", " + of.splitting,
+                     of.integrator == "verlet" ? "" : ", " + of.integrator, "");
+}
+
+Json trial_json(TradeOff const& found, Configuration const& of, TrialResult const& trial, double dt) {
+  auto const units = units_of(found, of.K);
+  std::string const per = units.si ? "_per_ps" : "_per_time";
+  Json json{{"dt_reduced", dt}, {"dt" + std::string(units.si ? "_ps" : ""), dt * units.ps}};
+  if (trial.failed()) {
+    json["failure"] = trial.failure;
+    return json;
+  }
+  auto const bias = found.bias(of, trial);
+  json["us_per_particle_step"] = trial.us_per_particle_step;
+  json["us_per_particle" + std::string(units.si ? "_ps" : "_time")] =
+      trial.us_per_particle_step / (dt * units.ps);
+  put(json, "energy_drift" + per, estimate(trial.drift(), units.ps));
+  put(json, "energy_drift_of_mean" + per, estimate(trial.drift_of_mean, units.ps));
+  if (trial.drift_of_walk.se > 0)
+    put(json, "energy_drift_of_walk" + per, estimate(trial.drift_of_walk, units.ps));
+  put(json, "T_kin" + units.units.temperature_key,
+      {trial.T_kin.mean * units.units.temperature, trial.T_kin.se * units.units.temperature,
+       trial.T_kin.n_eff});
+  put(json, "T_int" + units.units.temperature_key,
+      {trial.T_int.mean * units.units.temperature, trial.T_int.se * units.units.temperature,
+       trial.T_int.n_eff});
+  put(json, "P" + units.units.pressure_key,
+      {trial.P.mean * units.units.pressure, trial.P.se * units.units.pressure, trial.P.n_eff});
+  put(json, "bias_T_kin", bias.T_kin), put(json, "bias_T_int", bias.T_int), put(json, "bias_P", bias.P);
+  put(json, "bias_eps_variance", bias.eps_variance);
+  json["eps_distribution_error"] = bias.distribution;
+  json["eps_distribution_noise"] = bias.distribution_noise;
+  json["rejected_out_of_domain"] = trial.rejected_out_of_domain;
+  json["rejected_metropolis"] = trial.rejected_metropolis;
+  return json;
+}
+
+std::set<double> sizes(TradeOff const& found) {
+  return {found.plan.K.begin(), found.plan.K.end()};
+}
+
+/// A point for every trial that a logarithmic axis can show.
+template <class X, class Y>
+Plot over_trials(TradeOff const& found, double K, Plot plot, X const& x, Y const& y) {
+  int colour = 0;
+  for (auto const& configuration : found.configurations) {
+    if (configuration.K != K)
+      continue;
+    Series series{
+        .label = plain(short_name(configuration)), .x = {}, .y = {}, .y_error = {}, .colour = colour++};
+    for (std::size_t k = 0; k < configuration.trials.size(); ++k) {
+      auto const& trial = configuration.trials[k];
+      if (trial.failed())
+        continue;
+      cg::Estimate const value = y(configuration, trial);
+      if (!(value.mean > value.se)) // not resolved: a logarithmic axis has no place for it
+        continue;
+      series.x.push_back(x(trial, found.plan.dt[k]));
+      series.y.push_back(value.mean), series.y_error.push_back(value.se);
+    }
+    if (!series.x.empty())
+      plot.panels[0].series.push_back(series);
+  }
+  return plot;
+}
+
+Plot frame(std::string name, std::string title, std::string x, std::string y) {
+  Plot plot{.name = std::move(name),
+            .title = std::move(title),
+            .x = {.label = std::move(x), .logarithmic = true},
+            .panels = {Panel{}}};
+  plot.panels[0].y = {.label = std::move(y), .logarithmic = true};
+  plot.panels[0].legend = Legend::outside;
+  return plot;
+}
+
+Figure figure_of(std::vector<Plot> const& plots, std::string caption) {
+  Figure figure{{}, std::move(caption)};
+  for (auto const& plot : plots)
+    if (!plot.panels[0].series.empty())
+      figure.svgs.push_back(draw_svg(plot));
+  return figure;
+}
+
+Table trial_table(TradeOff const& found, double K) {
+  auto const units = units_of(found, K);
+  Table table{.header = {"scheme", "dt", fmt::format("us / particle {}", time_name(units)),
+                         fmt::format("drift [1/{}]", time_name(units)), "bias T_kin [%]", "bias T_int [%]",
+                         "bias P [%]", "bias var eps [%]", "eps error (4.18)", "its noise", "rejected [%]"},
+              .rows = {},
+              .caption =
+                  "dt in reduced units. Bias: against the trial of the exact scheme with the shortest time "
+                  "step; of the ideal gas's energies against their exact law."};
+  auto percent = [](cg::Estimate const& e) { return with_error_text({100 * e.mean, 100 * e.se, e.n_eff}); };
+  for (auto const& of : found.configurations) {
+    if (of.K != K)
+      continue;
+    for (std::size_t k = 0; k < of.trials.size(); ++k) {
+      auto const& trial = of.trials[k];
+      double const dt = found.plan.dt[k];
+      if (trial.failed()) {
+        table.rows.push_back({short_name(of), number_text(dt, 3), "fails", "", "", "", "", "", "", "", ""});
+        continue;
+      }
+      auto const bias = found.bias(of, trial);
+      table.rows.push_back(
+          {short_name(of), number_text(dt, 3), number_text(trial.us_per_particle_step / (dt * units.ps), 3),
+           with_error_text(estimate(trial.drift(), units.ps)), percent(bias.T_kin), percent(bias.T_int),
+           percent(bias.P), percent(bias.eps_variance), number_text(bias.distribution, 2),
+           number_text(bias.distribution_noise, 2),
+           number_text(100 * (trial.rejected_out_of_domain + trial.rejected_metropolis), 2)});
+    }
+  }
+  return table;
+}
+
+Table limit_table(TradeOff const& found, double K) {
+  Table table{.header = {"scheme", "largest stable dt", "smallest failing dt", "drift exponent", "points"},
+              .rows = {},
+              .caption =
+                  "Stable: a run of 50 reduced units of time goes through and its kinetic temperature stays "
+                  "below twice the set one. The drift is taken as C dt^n."};
+  for (auto const& of : found.configurations)
+    if (of.K == K)
+      table.rows.push_back({short_name(of), of.stable_dt ? number_text(*of.stable_dt, 3) : "none",
+                            of.failing_dt ? number_text(*of.failing_dt, 3) : "none found",
+                            of.drift.known() ? with_error_text(of.drift.exponent) : "-",
+                            number_text(of.drift.exponent.n_eff)});
+  return table;
+}
+
+Section size_section(TradeOff const& found, double K) {
+  auto const units = units_of(found, K);
+  std::string const tag = fmt::format("K{:.0f}", K), time = time_name(units);
+  auto cost = [&](TrialResult const& trial, double dt) {
+    return trial.us_per_particle_step / (dt * units.ps);
+  };
+  auto drift = [&](Configuration const&, TrialResult const& trial) {
+    return estimate(trial.drift(), units.ps);
+  };
+  auto error = [&](Configuration const& of, TrialResult const& trial) {
+    auto const bias = found.bias(of, trial);
+    return cg::Estimate{bias.distribution, bias.distribution_noise, 1};
+  };
+  std::string const cost_axis = fmt::format("processor time [us per particle and {}]", time);
+  std::string const drift_axis = fmt::format("energy drift [1/{}]", time);
+  return {
+      fmt::format("Particles of size K = {:g}", K),
+      {figure_of({over_trials(found, K, frame("pareto" + tag, "Drift against cost", cost_axis, drift_axis),
+                              cost, drift),
+                  over_trials(
+                      found, K, frame("drift" + tag, "Drift against time step", "dt [reduced]", drift_axis),
+                      [](auto const&, double dt) { return dt; }, drift),
+                  over_trials(found, K,
+                              frame("bias" + tag, "Error of the energies' distribution", cost_axis,
+                                    "distribution error (4.18)"),
+                              cost, error)},
+                 "Every point is a run; below and to the left is better. Points whose error reaches zero are "
+                 "left out."),
+       trial_table(found, K), limit_table(found, K)}};
+}
+
+} // namespace
+
+std::string target_text(Target const& target) {
+  std::vector<std::string> parts;
+  if (target.drift)
+    parts.push_back(fmt::format("energy drift {:.3g} per reduced unit of time", *target.drift));
+  if (target.bias)
+    parts.push_back(fmt::format("bias of T_kin, T_int and P {:.3g} %", 100 * *target.bias));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+std::string recommendation_text(TradeOff const& found, Target const& target) {
+  std::string text;
+  for (double const K : sizes(found)) {
+    auto const choice = recommend(found, K, target);
+    if (!choice) {
+      text += fmt::format("K = {:g}: no scheme that was tried meets this target\n", K);
+      continue;
+    }
+    auto const units = units_of(found, K);
+    text += fmt::format(
+        "K = {:g}: {}, dt = {:.2g} reduced ({:.3g} {}), {:.3g} us per particle and {}; limited by {}\n", K,
+        short_name(found.configurations[choice->configuration]), choice->dt, choice->dt * units.ps,
+        time_name(units), choice->us_per_particle_time / units.ps, time_name(units), choice->because);
+  }
+  return text;
+}
+
+Json trade_off_json(TradeOff const& found, Target const& target) {
+  Json json;
+  for (auto const& of : found.configurations) {
+    Json one{
+        {"K", of.K}, {"scheme", of.scheme}, {"splitting", of.splitting}, {"conservative", of.integrator}};
+    if (of.stable_dt)
+      one["largest_stable_dt_reduced"] = *of.stable_dt;
+    if (of.failing_dt)
+      one["smallest_failing_dt_reduced"] = *of.failing_dt;
+    if (of.drift.known())
+      put(one, "drift_exponent", of.drift.exponent);
+    for (std::size_t k = 0; k < of.trials.size(); ++k)
+      one["trials"].push_back(trial_json(found, of, of.trials[k], found.plan.dt[k]));
+    json["configurations"].push_back(one);
+  }
+  if (!target.drift && !target.bias)
+    return json;
+  json["target"] = target_text(target);
+  for (double const K : sizes(found)) {
+    auto const choice = recommend(found, K, target);
+    if (!choice)
+      continue;
+    auto const& of = found.configurations[choice->configuration];
+    json["recommended"].push_back({{"K", K},
+                                   {"scheme", of.scheme},
+                                   {"splitting", of.splitting},
+                                   {"conservative", of.integrator},
+                                   {"dt_reduced", choice->dt},
+                                   {"us_per_particle_reduced_time", choice->us_per_particle_time},
+                                   {"limited_by", choice->because}});
+  }
+  return json;
+}
+
+Report trade_off_report(TradeOff const& found, Target const& target) {
+  std::size_t failed = 0, all = 0;
+  for (auto const& of : found.configurations)
+    for (auto const& trial : of.trials)
+      ++all, failed += trial.failed();
+  bool const wished = target.drift || target.bias;
+  Report report{.title = "Cost against accuracy: " + found.scene.title,
+                .lead = fmt::format(
+                    "{} runs of {} particles over {:g} reduced units of time, of which {} could not "
+                    "go on.{}",
+                    all, found.scene.particles.N, found.plan.time, failed,
+                    wished ? " For " + target_text(target) + ": " + recommendation_text(found, target) : ""),
+                .verdicts = {},
+                .sections = {},
+                .provenance = {}};
+  for (double const K : sizes(found))
+    report.sections.push_back(size_section(found, K));
+  report.sections.push_back(
+      {"How the drift is measured",
+       {Paragraph{
+           "The slope of the energy in time is the drift, but the energy also walks at random and the walk "
+           "hides small slopes. Both have one cause: the conservative step gets the energy wrong by W, and "
+           "as "
+           "it keeps volumes in phase space while fluctuation and dissipation keep the canonical law, "
+           "<exp(-W/k_B "
+           "T)> = 1. So the mean of W is half its variance over k_B T, and the width of the walk gives the "
+           "drift where the slope does not. Each run is judged by the better known of the two; by the slope "
+           "where they disagree."}}});
+  return report;
+}
+
+} // namespace mesobridge::workflows

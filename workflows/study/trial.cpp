@@ -1,0 +1,221 @@
+#include "workflows/study/trial.hpp"
+#include "cg/histogram.hpp"
+#include "sdpd/observe/energy_walk.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/study/processor_clock.hpp"
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
+#include <numeric>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr std::int64_t instants = 64; ///< at which the particles are looked at one by one
+constexpr std::size_t stored_energies = 200;
+constexpr double walk_lag = 2; ///< reduced time: the bounded part of the energy error has forgotten itself
+
+/// A trial on its way.
+class TrialRun {
+ public:
+  TrialRun(Trial const& trial, sdpd::Checkpoint const& start)
+      : trial_(trial), settings_(settings_of(trial.scene, 1)), simulation_(settings_) {
+    simulation_.begin_from(start);
+    counts_at_start_ = simulation_.pair_counts();
+  }
+
+  TrialResult carry_out(std::function<bool(std::uint64_t)> const& keep_going) {
+    try {
+      advance(trial_.scene.run.equilibrate, keep_going, [] {});
+      sample(keep_going);
+    } catch (PhysicsError const& error) {
+      return {.failure = error.what(), .dt = settings_.dt};
+    }
+    return result();
+  }
+
+ private:
+  template <class F>
+  void advance(std::int64_t steps, std::function<bool(std::uint64_t)> const& keep_going,
+               F const& after_each) {
+    for (std::int64_t k = 0; k < steps; ++k) {
+      simulation_.advance(1);
+      ++done_;
+      if (done_ % 64 == 0 && !keep_going(done_))
+        throw Interrupted("the study was stopped; what was finished is stored");
+      after_each();
+    }
+  }
+
+  void sample(std::function<bool(std::uint64_t)> const& keep_going) {
+    auto const& run = trial_.scene.run;
+    std::int64_t const every_instant = std::max<std::int64_t>(1, run.steps / instants);
+    std::int64_t k = 0;
+    take_sample(0);
+    heat_capacity_ = simulation_.heat_capacity();
+    ProcessorClock const clock;
+    advance(run.steps, keep_going, [&] {
+      ++k;
+      if (k % run.sample_every == 0)
+        take_sample(static_cast<double>(k) * settings_.dt);
+      if (k % every_instant == 0)
+        take_instant();
+    });
+    seconds_ = clock.seconds();
+  }
+
+  void take_sample(double time) {
+    auto const now = simulation_.observe();
+    if (!(now.T_kin < too_hot))
+      throw PhysicsError(
+          fmt::format("step {} (dt = {:.6g} reduced): the kinetic temperature has grown to {:.3g} "
+                      "times the set one",
+                      now.step, settings_.dt, now.T_kin));
+    sampler_.sample(now, time);
+  }
+
+  void take_instant() {
+    auto const now = simulation_.snapshot();
+    sampler_.sample(sdpd::moments(now));
+    auto& values = ++instants_taken_ <= instants / 2 ? first_ : second_;
+    for (double const eps : now.eps)
+      values.push_back(eps * settings_.K);
+  }
+
+  std::vector<double> histogram(std::vector<double> const& values) const {
+    auto const& bins = trial_.bins;
+    return cg::histogram(values, bins.lower, bins.upper, bins.count).density;
+  }
+
+  TrialResult result() const {
+    auto const equilibrium = sampler_.result();
+    double const K = settings_.K, E_0 = sampler_.energies()[0];
+    auto in = [](cg::Estimate const& e, double unit) {
+      return cg::Estimate{e.mean * unit, e.se * unit, e.n_eff};
+    };
+    auto const counts = simulation_.pair_counts();
+    double const pairs = std::max(1.0, static_cast<double>(counts.proposed - counts_at_start_.proposed));
+    double const sign = E_0 < 0 ? -1 : 1;
+    TrialResult found{
+        .failure = {},
+        .dt = settings_.dt,
+        .settled = static_cast<double>(trial_.scene.run.equilibrate) * settings_.dt,
+        .T_kin = equilibrium.T_kin,
+        .T_int = equilibrium.T_int,
+        .P = equilibrium.P,
+        .eps_mean = in(equilibrium.eps.mean, K),
+        .eps_variance = in(equilibrium.eps.variance, K * K),
+        .drift_of_mean = {sign * equilibrium.drift.rate, equilibrium.drift.se},
+        .drift_of_walk = walk(),
+        .rejected_out_of_domain =
+            static_cast<double>(counts.out_of_domain - counts_at_start_.out_of_domain) / pairs,
+        .rejected_metropolis = static_cast<double>(counts.metropolis - counts_at_start_.metropolis) / pairs,
+        .us_per_particle_step =
+            seconds_ * 1e6 /
+            (static_cast<double>(trial_.scene.run.steps) * static_cast<double>(simulation_.size())),
+        .bins = trial_.bins,
+        .E_0 = E_0,
+        .heat_capacity = heat_capacity_,
+        .first_half = histogram(first_),
+        .second_half = histogram(second_),
+        .times = {},
+        .energies = {}};
+    std::size_t const every = std::max<std::size_t>(1, sampler_.times().size() / stored_energies);
+    for (std::size_t k = 0; k < sampler_.times().size(); k += every) {
+      found.times.push_back(sampler_.times()[k]);
+      found.energies.push_back((sampler_.energies()[k] - E_0) / std::abs(E_0));
+    }
+    return found;
+  }
+
+  sdpd::Drift walk() const {
+    auto const times = sampler_.times();
+    bool const conserved =
+        settings_.scheme.keep_energy || settings_.scheme.conservative == sdpd::Conservative::none;
+    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 40 * walk_lag)
+      return {};
+    return sdpd::drift_from_energy_walk(times, sampler_.energies(), walk_lag, 1 / settings_.K, 1);
+  }
+
+  static constexpr double too_hot = 2; ///< set temperatures: what a trial is to tell about is gone by then
+
+  Trial const& trial_;
+  sdpd::SimulationSettings settings_;
+  sdpd::Simulation simulation_;
+  sdpd::PairCounts counts_at_start_;
+  sdpd::EquilibriumSampler sampler_;
+  std::vector<double> first_, second_;
+  std::int64_t instants_taken_ = 0;
+  std::uint64_t done_ = 0;
+  double heat_capacity_ = 0, seconds_ = 0;
+};
+
+} // namespace
+
+sdpd::Drift TrialResult::drift() const {
+  if (!(drift_of_walk.se > 0) || drift_of_mean.se < drift_of_walk.se)
+    return drift_of_mean;
+  double const apart = std::abs(drift_of_walk.rate - drift_of_mean.rate);
+  return apart > 4 * std::hypot(drift_of_walk.se, drift_of_mean.se) ? drift_of_mean : drift_of_walk;
+}
+
+std::vector<double> TrialResult::histogram() const {
+  std::vector<double> mean(first_half.size());
+  for (std::size_t b = 0; b < mean.size(); ++b)
+    mean[b] = 0.5 * (first_half[b] + second_half[b]);
+  return mean;
+}
+
+sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
+                                    std::function<bool()> const& keep_going) {
+  auto settings = settings_of(scene, 1);
+  settings.dt = dt;
+  settings.scheme = {.pairs = sdpd::PairScheme::ems};
+  sdpd::Simulation simulation(settings);
+  sdpd::equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
+  return simulation.checkpoint();
+}
+
+TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
+                      std::function<bool(std::uint64_t)> const& keep_going) {
+  return TrialRun(trial, start).carry_out(keep_going);
+}
+
+EnergyBins bins_around(sdpd::Checkpoint const& start, double K) {
+  auto const& eps = start.eps;
+  double const mean = gsl_stats_mean(eps.data(), 1, eps.size()), sd = gsl_stats_sd(eps.data(), 1, eps.size());
+  constexpr double reach = 8;
+  return {.lower = K * (mean - reach * sd), .upper = K * (mean + reach * sd)};
+}
+
+double distribution_error(std::vector<double> const& found, std::vector<double> const& reference) {
+  double square = 0, norm = 0;
+  for (std::size_t b = 0; b < reference.size(); ++b) {
+    square += (found[b] - reference[b]) * (found[b] - reference[b]);
+    norm += reference[b] * reference[b];
+  }
+  return std::sqrt(square / norm);
+}
+
+double distribution_noise(TrialResult const& result, std::vector<double> const& reference) {
+  double square = 0, norm = 0;
+  for (std::size_t b = 0; b < reference.size(); ++b) {
+    double const half = 0.5 * (result.first_half[b] - result.second_half[b]);
+    square += half * half;
+    norm += reference[b] * reference[b];
+  }
+  return std::sqrt(square / norm);
+}
+
+std::vector<double> gamma_law(double K, EnergyBins const& bins) {
+  double const shape = 1.5 * (K - 1);
+  std::vector<double> density(bins.count);
+  for (std::size_t b = 0; b < bins.count; ++b) {
+    double const low = bins.lower + static_cast<double>(b) * bins.width();
+    double const below = gsl_cdf_gamma_P(std::max(0.0, low), shape, 1),
+                 above = gsl_cdf_gamma_P(std::max(0.0, low + bins.width()), shape, 1);
+    density[b] = (above - below) / bins.width();
+  }
+  return density;
+}
+
+} // namespace mesobridge::workflows
