@@ -5,6 +5,14 @@ namespace mesobridge::workflows {
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
   static std::vector<Reproduction> const list{
+      {"figure-4.2", "energy of SSA in time, K = 100", reproduce_figure_4_2},
+      {"figure-4.3", "energy drift of SSA over the time step", reproduce_figure_4_3},
+      {"figure-4.4", "energy drift of SER over the time step", reproduce_figure_4_4},
+      {"figure-4.5", "distributions of internal energies, EMS and AMS", reproduce_figure_4_5},
+      {"figure-4.6", "rejected steps, EMS and AMS", reproduce_figure_4_6},
+      {"figure-4.7", "energy of EMS in time, K = 5", reproduce_figure_4_7},
+      {"figure-4.8", "energy drift of EMS, AMS and SSA, K = 5", reproduce_figure_4_8},
+      {"figure-4.9", "energy drift with multiple time steps", reproduce_figure_4_9},
       {"table-4.1", "time per particle and step of the schemes", reproduce_table_4_1},
   };
   return list;

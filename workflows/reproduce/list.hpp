@@ -30,6 +30,14 @@ struct Reproduction {
 /// in this folder, one declaration here and one line in list.cpp.
 std::vector<Reproduction> const& reproductions();
 
+Reproduced reproduce_figure_4_2(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_3(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_4(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_5(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_6(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_7(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_8(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_figure_4_9(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_table_4_1(ReproduceOptions const& options, Context const& context);
 
 } // namespace mesobridge::workflows

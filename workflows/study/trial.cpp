@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t instants = 64; ///< at which the particles are looked at one by one
 constexpr std::size_t stored_energies = 200;
-constexpr double walk_lag = 2; ///< reduced time: the bounded part of the energy error has forgotten itself
+constexpr double walk_lag = 3; ///< reduced time: the bounded part of the energy error has forgotten itself
 
 /// A trial on its way.
 class TrialRun {
@@ -131,7 +131,7 @@ class TrialRun {
     auto const times = sampler_.times();
     bool const conserved =
         settings_.scheme.keep_energy || settings_.scheme.conservative == sdpd::Conservative::none;
-    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 40 * walk_lag)
+    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 34 * walk_lag)
       return {};
     return sdpd::drift_from_energy_walk(times, sampler_.energies(), walk_lag, 1 / settings_.K, 1);
   }
