@@ -44,7 +44,7 @@ sdpd::SimulationSettings pair_fluid_settings(Options const& options, int threads
       .lattice = {options.side, options.side, options.side},
       .disorder = 0.15,
       .dt = 0.01,
-      .scheme = {.pairs = pair_scheme_of(options.scheme), .verlet_steps = options.fluctuate_every},
+      .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
       .threads = threads};
   settings.pair_fluid = sdpd::PairFluid{.mass = 1,
                                         .potential = sdpd::SoftPotential(25 * customary / rho, 1),

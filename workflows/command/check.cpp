@@ -9,6 +9,8 @@ namespace mesobridge::workflows {
 
 namespace {
 
+constexpr double typical_dt = 0.1; ///< reduced: stands for one that is still to be found
+
 struct Options {
   std::string scene;
   std::vector<std::string> overrides;
@@ -20,7 +22,9 @@ Result check(Options const& options, Context const& context) {
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
   Scene const scene = load_scene(options.scene, options.overrides);
-  auto const settings = settings_of(scene, context.options.threads.value_or(available_threads()));
+  auto settings = settings_of(scene, context.options.threads.value_or(available_threads()));
+  if (scene.scheme.dt.automatic)
+    settings.dt = typical_dt;
   sdpd::check(settings);
   auto const cost = estimate_cost(scene, settings);
   auto const resolved = resolved_toml(scene);

@@ -29,7 +29,6 @@ Command eos_table_command();
 Command check_command();
 Command run_command();
 Command workflow_lj_to_sdpd_command();
-Command reproduce_command();
 Command bench_engine_command();
 Command bench_eos_command();
 Command doctor_command();

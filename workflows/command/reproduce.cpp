@@ -1,4 +1,4 @@
-#include "workflows/command/list.hpp"
+#include "workflows/command/studies.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/reproduce/list.hpp"
 #include "workflows/sdpd/settings.hpp"

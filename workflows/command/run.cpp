@@ -1,8 +1,11 @@
 #include "workflows/command/list.hpp"
 #include "workflows/interrupt.hpp"
+#include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
 #include "workflows/sdpd/run_scene.hpp"
+#include "workflows/study/automatic_dt.hpp"
 #include <CLI/CLI.hpp>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 namespace {
@@ -13,14 +16,38 @@ struct Options {
   bool resume = false;
 };
 
+/// A scene whose time step is to be found: the one of the run that is resumed, or that of a short study.
+Scene with_time_step(Scene const& scene, bool resume, std::filesystem::path const& directory,
+                     Context& context) {
+  auto const checkpoint = directory / "checkpoint.h5";
+  if (resume && std::filesystem::exists(checkpoint))
+    return with_stored_time_step(scene, parse_scene(read_checkpoint(checkpoint).scene, checkpoint));
+  auto const trials = directory / "dt-auto";
+  std::error_code ignored;
+  std::filesystem::create_directories(trials, ignored); // writing there says what is wrong
+  auto progress = context.progress("Finding the time step", 1);
+  auto const [chosen, why] =
+      choose_time_step(scene, {.directory = trials,
+                               .threads = context.options.threads.value_or(available_threads()),
+                               .keep_going = [&](double share, std::string const& name) {
+                                 progress.update(share, name);
+                                 return !interrupt_requested();
+                               }});
+  progress.finish();
+  context.log->info(why);
+  return chosen;
+}
+
 Result run(Options const& options, Context& context) {
   auto overrides = options.set;
   if (context.options.seed)
     overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
-  Scene const scene = load_scene(options.scene, overrides);
+  Scene scene = load_scene(options.scene, overrides);
   std::filesystem::path const fallback =
       scene.output.directory.value_or("out/" + std::filesystem::path(options.scene).stem().string());
   auto const directory = context.output_directory(fallback);
+  if (scene.scheme.dt.automatic)
+    scene = with_time_step(scene, options.resume, directory, context);
   auto const total = scene.run.equilibrate + scene.run.steps;
   auto progress = context.progress(scene.title, static_cast<double>(total));
   auto const done = run_scene(scene, {.directory = directory,

@@ -61,7 +61,8 @@ Reproduced assembled(std::string title, std::string lead, std::vector<LineResult
       "Ours",
       {figure(plots, "Points with standard errors; lines are power laws through them."), drift_table(lines)}};
   if (auto const failed = failures(lines); !failed.empty())
-    ours.content.emplace_back(Paragraph{fmt::format("Runs that could not go on: {}", fmt::join(failed, "; "))});
+    ours.content.emplace_back(
+        Paragraph{fmt::format("Runs that could not go on: {}", fmt::join(failed, "; "))});
   Section theirs{"What the thesis says", {}};
   for (auto const& statement : statements)
     theirs.content.emplace_back(Paragraph{statement});

@@ -14,6 +14,7 @@ std::vector<Reproduction> const& reproductions() {
       {"figure-4.8", "energy drift of EMS, AMS and SSA, K = 5", reproduce_figure_4_8},
       {"figure-4.9", "energy drift with multiple time steps", reproduce_figure_4_9},
       {"table-4.1", "time per particle and step of the schemes", reproduce_table_4_1},
+      {"stability", "which schemes run where: time steps, sizes, extreme states", reproduce_stability},
   };
   return list;
 }

@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/pair_checks.hpp"
+#include "workflows/scene/wish.hpp"
 #include <algorithm>
 #include <tuple>
 
@@ -77,6 +78,24 @@ void check_box(Scene const& scene, Places const& places) {
                                scene.particles.h_factor));
 }
 
+void check_wish(Scene const& scene, Places const& places) {
+  auto const& scheme = scene.scheme;
+  auto check = [&](char const* key, std::optional<std::string> const& text, auto const& parse) {
+    if (!text)
+      return;
+    require_together(scheme.dt.automatic, places, key, *text, "wants dt = \"auto\", which it is a wish for");
+    try {
+      parse(*text);
+    } catch (InputError const& error) {
+      throw InputError(fmt::format("{}: {} = \"{}\": {}", places.of(key), key, *text, error.what()));
+    }
+  };
+  check("scheme.drift", scheme.drift, [&](std::string const& text) { parse_rate(text, scene.units); });
+  check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
+  require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
+                   "needs a wish: scheme.drift, such as \"1e-6/ps\", or scheme.bias, such as \"0.5%\"");
+}
+
 } // namespace
 
 void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places) {
@@ -102,6 +121,7 @@ void check_sdpd(Scene const& scene, Places const& places) {
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
                    scene.scheme.noise,
                    "must be \"on\" with scheme.name = \"ems\": a Metropolis test needs it");
+  check_wish(scene, places);
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,

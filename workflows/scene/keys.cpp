@@ -105,7 +105,8 @@ std::string SceneKey::allowed(UnitSystem units) const {
   if (!dimension || units == UnitSystem::lj)
     return text;
   auto const with_unit = fmt::format("text with a unit ({})", allowed_units(*dimension));
-  return time_step ? text + ", or such a number as " + with_unit : text + " as " + with_unit;
+  return time_step ? text + ", or such a number as " + with_unit + ", or \"auto\""
+                   : text + " as " + with_unit;
 }
 
 std::vector<SceneKey> const& scene_keys() {
@@ -304,9 +305,21 @@ std::vector<SceneKey> const& scene_keys() {
           .choices(sdpd::pair_scheme_names()),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
-          "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20))")
+          "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20)); \"auto\": "
+          "found "
+          "by a short study for the wanted drift or bias")
           .required()
           .quantity(Dimension::time, positive),
+      Line(
+          "scheme", "drift", [](Scene& s) { return &s.scheme.drift; },
+          "with dt = \"auto\": wanted rate of the relative energy error, such as \"1e-6/ps\" (a plain number "
+          "per unit of time when units = \"lj\")"),
+      Line(
+          "scheme", "bias", [](Scene& s) { return &s.scheme.bias; },
+          "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
+      Line(
+          "scheme", "dt_chosen_for", [](Scene& s) { return &s.scheme.dt_chosen_for; },
+          "written by the program: the wish that dt was chosen for"),
       Line(
           "scheme", "splitting", [](Scene& s) { return &s.scheme.splitting; },
           "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
@@ -402,6 +415,8 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     Text operator()(double const* value) const { return number(*value); }
     Text operator()(std::optional<double> const* value) const { return *value ? number(**value) : Text(); }
     Text operator()(TimeStep const* dt) const {
+      if (dt->automatic)
+        return "\"auto\"";
       return dt->reduced ? fmt::format("{}", dt->value) : number(dt->value);
     }
     Text operator()(UnitSystem const* units) const { return *units == UnitSystem::SI ? "\"SI\"" : "\"lj\""; }

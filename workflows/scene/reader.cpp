@@ -145,6 +145,10 @@ struct SlotReader {
     *slot = *value;
   }
   void operator()(TimeStep* slot) const {
+    if (node.value_exact<std::string>() == "auto") {
+      *slot = {.automatic = true};
+      return;
+    }
     *slot = node.is_number() ? TimeStep{number(), true} : TimeStep{quantity(), false};
   }
 };

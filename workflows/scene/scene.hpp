@@ -9,10 +9,12 @@ namespace mesobridge::workflows {
 
 enum class UnitSystem { SI, lj };
 
-/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in seconds.
+/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in seconds, or one that is
+/// still to be found.
 struct TimeStep {
   double value = 0;
   bool reduced = true;
+  bool automatic = false; ///< the value is not known yet
 
   bool operator==(TimeStep const&) const = default;
 };
@@ -77,6 +79,8 @@ struct Scene {
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
     std::string noise = "on";
+    std::optional<std::string> drift, bias;   ///< wishes for an automatic time step
+    std::optional<std::string> dt_chosen_for; ///< the wish that a chosen time step fulfils
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {

@@ -152,6 +152,17 @@ sdpd::EquilibriumSampler RunFile::replay() const {
   return sampler;
 }
 
+void RunFile::keep_copy(std::filesystem::path const& copy) {
+  store_.flush();
+  auto const fresh = std::filesystem::path(copy).concat(".new");
+  std::error_code error;
+  std::filesystem::copy_file(store_.file(), fresh, std::filesystem::copy_options::overwrite_existing, error);
+  if (!error)
+    std::filesystem::rename(fresh, copy, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot write '{}': {}", copy.string(), error.message()));
+}
+
 std::vector<double> RunFile::particle_values(std::string const& name) const {
   auto const dataset = "particles/" + name;
   return store_.contains(dataset) ? store_.read_doubles(dataset) : std::vector<double>();

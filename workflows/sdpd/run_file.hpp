@@ -35,6 +35,10 @@ class RunFile {
   /// The mean of one column of `thermodynamics`, in the scene's units; nothing if there is no such column.
   std::optional<cg::Estimate> mean(std::string const& column) const;
 
+  /// Copies the file as it is now: one that was killed while it wrote may have left the file itself damaged.
+  /// Throws EnvironmentError.
+  void keep_copy(std::filesystem::path const& copy);
+
   void close() { store_.close(); }
 
   /// At most this many particles are stored at an instant: enough for a distribution.

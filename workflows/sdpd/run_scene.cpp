@@ -29,7 +29,7 @@ class Run {
     require(scene_.run.steps >= 32 * scene_.run.sample_every, "run.steps", scene_.run.steps,
             fmt::format("must be at least 32 run.sample_every = {}, or no errors can be estimated",
                         32 * scene_.run.sample_every));
-    if (options_.resume)
+    if (options_.resume && !stopped_before_first_checkpoint())
       resume();
     else
       start();
@@ -78,7 +78,16 @@ class Run {
     return scene;
   }
 
+  /// This very scene began here and did not come to its first checkpoint: it begins again.
+  bool stopped_before_first_checkpoint() const {
+    return !std::filesystem::exists(file("checkpoint.h5")) && std::filesystem::exists(file("scene.toml")) &&
+           read_text_file(file("scene.toml")) == provenance_.scene;
+  }
+
   void start() {
+    std::error_code ignored; // what an earlier run left here is none of this one's
+    std::filesystem::remove(file("checkpoint.h5"), ignored);
+    std::filesystem::remove(file("run.h5.kept"), ignored);
     write_text_file(file("scene.toml"), provenance_.scene);
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
       return options_.keep_going(static_cast<std::uint64_t>(simulation_.observe().step));
@@ -96,6 +105,10 @@ class Run {
                                    file("checkpoint.h5").string(), file("scene.toml").string()));
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
+    // The copy of the last checkpoint: whatever ended the run may have damaged the file itself.
+    if (std::filesystem::exists(file("run.h5.kept")))
+      std::filesystem::copy_file(file("run.h5.kept"), file("run.h5"),
+                                 std::filesystem::copy_options::overwrite_existing);
     run_file_.emplace(RunFile::continue_file(file("run.h5"), units_, observables_of(settings_)));
     trajectories_.emplace(scene_, options_.directory, provenance_, true);
   }
@@ -128,7 +141,10 @@ class Run {
       checkpoint();
   }
 
-  void checkpoint() { write_checkpoint(file("checkpoint.h5"), simulation_.checkpoint(), provenance_); }
+  void checkpoint() {
+    run_file_->keep_copy(file("run.h5.kept")); // first, so that it is never behind the checkpoint
+    write_checkpoint(file("checkpoint.h5"), simulation_.checkpoint(), provenance_);
+  }
 
   [[noreturn]] void stop() {
     checkpoint();
@@ -155,6 +171,8 @@ class Run {
     result.summary = summary(result);
     write_summary(file("summary.json"), result.summary);
     run_file_->close();
+    std::error_code ignored;
+    std::filesystem::remove(file("run.h5.kept"), ignored); // the file itself is whole
     trajectories_->close();
     return result;
   }

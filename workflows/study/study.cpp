@@ -1,4 +1,5 @@
 #include "workflows/study/study.hpp"
+#include "md/error.hpp"
 #include "workflows/job_pool.hpp"
 #include "workflows/study/trial_file.hpp"
 #include <map>
@@ -39,6 +40,19 @@ class Starts {
   std::map<std::string, Start> starts_;
 };
 
+/// A trial from its common start. That a start cannot be made is a result too.
+TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
+                          std::function<bool(std::uint64_t)> const& keep_going) {
+  auto const& [name, scene, bins] = planned;
+  try {
+    auto const& start = starts.of(scene, [&] { return keep_going(0); });
+    return run_trial({name, scene, bins.value_or(bins_around(start, scene.particles.K))}, start, keep_going);
+  } catch (PhysicsError const& error) {
+    return {.failure = fmt::format("no equilibrium to begin with: {}", error.what()),
+            .dt = scene.scheme.dt.value};
+  }
+}
+
 double work_of(Scene const& scene) {
   return static_cast<double>(scene.particles.N) *
          static_cast<double>(scene.run.equilibrate + scene.run.steps);
@@ -66,11 +80,9 @@ std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyO
                                   fmt::format(" start {} {}", options.start_dt, options.start_time);
       auto stored = options.directory.empty() ? std::nullopt : read_trial(file, made_of);
       if (!stored) {
-        auto const& start = starts.of(scene, [&] { return tell(0); });
-        Trial const trial{name, scene, bins.value_or(bins_around(start, scene.particles.K))};
         double const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);
-        stored =
-            run_trial(trial, start, [&](std::uint64_t at) { return tell(static_cast<double>(at) / steps); });
+        stored = begin_and_run(starts, plan[k],
+                               [&](std::uint64_t at) { return tell(static_cast<double>(at) / steps); });
         if (!options.directory.empty())
           write_trial(file, made_of, *stored);
       }

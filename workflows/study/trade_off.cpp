@@ -51,14 +51,20 @@ bool survives(Scene const& sample, Configuration const& configuration, double dt
   return !run_study({{name, scene, std::nullopt}}, options).front().failed();
 }
 
-/// Bisection between the largest time step that went through and the smallest that failed.
-void find_stability_limit(Scene const& sample, TradeOffPlan const& plan, StudyOptions const& options,
-                          Configuration& configuration) {
+/// What the trials themselves say about stability.
+void bound_stability(TradeOffPlan const& plan, Configuration& configuration) {
   for (std::size_t k = 0; k < plan.dt.size(); ++k) {
-    auto& bound = configuration.trials[k].failed() ? configuration.failing_dt : configuration.stable_dt;
     double const dt = plan.dt[k];
-    bound = !bound ? dt : configuration.trials[k].failed() ? std::min(*bound, dt) : std::max(*bound, dt);
+    auto &stable = configuration.stable_dt, &failing = configuration.failing_dt;
+    if (configuration.trials[k].failed())
+      failing = std::min(failing.value_or(dt), dt);
+    else
+      stable = std::max(stable.value_or(dt), dt);
   }
+}
+
+/// Bisection between the largest time step that went through and the smallest that failed.
+void find_stability_limit(Scene const& sample, StudyOptions const& options, Configuration& configuration) {
   auto &stable = configuration.stable_dt, &failing = configuration.failing_dt;
   constexpr int most_runs = 16;
   for (int run = 0; run < most_runs; ++run) {
@@ -199,9 +205,11 @@ TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions co
     }
     configuration.drift = fit_power_law(dt, rates);
   }
-  if (plan.stability_limit)
-    for (auto& configuration : found.configurations)
-      find_stability_limit(sample, plan, options, configuration);
+  for (auto& configuration : found.configurations) {
+    bound_stability(plan, configuration);
+    if (plan.stability_limit)
+      find_stability_limit(sample, options, configuration);
+  }
   return found;
 }
 

@@ -1,0 +1,103 @@
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/process.hpp"
+#include "workflows/store/store.hpp"
+#include "workflows/text_file.hpp"
+#include <chrono>
+#include <csignal>
+#include <gtest/gtest.h>
+#include <random>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+// A run that is killed again and again, at any time and in the hardest way, and resumed each time, ends with
+// the same bits as one that was left alone.
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+std::vector<std::string> words(std::filesystem::path const& directory, bool resume) {
+  std::vector<std::string> result{MESOBRIDGE_PROGRAM,
+                                  "run",
+                                  MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml",
+                                  "-o",
+                                  directory.string(),
+                                  "--quiet",
+                                  "--threads",
+                                  "1"};
+  for (char const* set : {"particles.N=216", "run.equilibrate=64", "run.steps=4000", "run.sample_every=5",
+                          "run.trajectory_every=400", "run.checkpoint_every=100"})
+    result.insert(result.end(), {"--set", set});
+  if (resume)
+    result.push_back("--resume");
+  return result;
+}
+
+/// Starts the program and sends it a signal after a while; its status as waitpid tells it.
+int killed_after(std::chrono::microseconds delay, int signal, std::vector<std::string> command) {
+  std::vector<char*> argv;
+  for (auto& word : command)
+    argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t const child = fork();
+  if (child == 0) {
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  std::this_thread::sleep_for(delay);
+  kill(child, signal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+std::vector<std::vector<double>> datasets(std::filesystem::path const& file,
+                                          std::vector<std::string> const& names) {
+  Store const store(file, Store::Mode::read);
+  std::vector<std::vector<double>> result;
+  for (auto const& name : names)
+    result.push_back(store.read_doubles(name));
+  return result;
+}
+
+TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
+  ScratchDirectory const scratch;
+  auto const unbroken = scratch / "unbroken", broken = scratch / "broken";
+  auto const whole = run_process(words(unbroken, false));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  std::mt19937 generator(20);
+  std::uniform_int_distribution<int> delay(1000, 150000); // us
+  int kills = 0, ends = 0;
+  constexpr int wanted = 20;
+  for (int attempt = 0; kills < wanted && attempt < 3 * wanted; ++attempt) {
+    int const signal = attempt % 2 == 0 ? SIGKILL : SIGTERM;
+    bool const begun = std::filesystem::exists(broken / "scene.toml");
+    int const status =
+        killed_after(std::chrono::microseconds(delay(generator)), signal, words(broken, begun));
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+      ++ends; // it was done before
+    else if (WIFSIGNALED(status))
+      ++kills;
+    else {
+      ASSERT_EQ(WEXITSTATUS(status), 130); // SIGTERM: a checkpoint was written
+      ++kills;
+    }
+  }
+  EXPECT_EQ(kills, wanted) << ends;
+  auto const last = run_process(words(broken, true));
+  ASSERT_EQ(last.status, 0) << last.errors;
+  std::vector<std::string> const results{"thermodynamics", "moments", "particles/eps", "particles/rho",
+                                         "particles/P"},
+      frames{"particles/all/position/value", "particles/all/velocity/value"};
+  auto const expected = datasets(unbroken / "run.h5", results);
+  ASSERT_EQ(expected[0].size(), 801u * 12u);
+  EXPECT_TRUE(expected == datasets(broken / "run.h5", results));
+  EXPECT_TRUE(datasets(unbroken / "trajectory.h5", frames) == datasets(broken / "trajectory.h5", frames));
+  EXPECT_EQ(read_text_file(unbroken / "summary.json"), read_text_file(broken / "summary.json"));
+  EXPECT_EQ(read_text_file(unbroken / "scene.toml"), read_text_file(broken / "scene.toml"));
+}
+
+} // namespace
+} // namespace mesobridge::workflows

@@ -1,0 +1,154 @@
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/command.hpp"
+#include "workflows/process.hpp"
+#include "workflows/store/store.hpp"
+#include "workflows/text_file.hpp"
+#include <chrono>
+#include <gtest/gtest.h>
+
+// Cost against accuracy as its users study it: trade-off, automatic time steps, reproductions.
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+ProcessResult program(std::vector<std::string> words) {
+  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
+  return run_process(words);
+}
+
+std::vector<std::string> study(ScratchDirectory const& scratch, std::vector<std::string> const& more = {}) {
+  std::vector<std::string> words{"trade-off",
+                                 MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml",
+                                 "--schemes",
+                                 "ssa,ems",
+                                 "--integrators",
+                                 "verlet",
+                                 "--dt",
+                                 "0.1,0.2,0.3,0.9",
+                                 "--time",
+                                 "110",
+                                 "--particles",
+                                 "216",
+                                 "--drift",
+                                 "1e-4/ps",
+                                 "-o",
+                                 (scratch / "study").string(),
+                                 "--quiet",
+                                 "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(TradeOffCommand, MeasuresRecommendsAndGoesOnWhereItStopped) {
+  ScratchDirectory const scratch;
+  auto const first = program(study(scratch, {"--no-limit"}));
+  ASSERT_EQ(first.status, 0) << first.errors;
+  auto const json = Json::parse(first.output);
+  ASSERT_EQ(json["configurations"].size(), 2u);
+  int finished = 0, failed = 0;
+  for (auto const& of : json["configurations"])
+    for (auto const& trial : of["trials"]) {
+      if (trial.contains("failure")) {
+        ++failed; // far beyond Verlet's limit
+        EXPECT_EQ(trial["dt_reduced"], 0.9);
+        continue;
+      }
+      ++finished;
+      for (char const* key : {"us_per_particle_ps", "energy_drift_per_ps", "energy_drift_per_ps_se",
+                              "bias_T_kin_se", "bias_P", "eps_distribution_error", "rejected_metropolis"})
+        EXPECT_TRUE(trial.contains(key)) << key;
+    }
+  EXPECT_EQ(finished, 6);
+  EXPECT_EQ(failed, 2);
+  ASSERT_EQ(json["recommended"].size(), 1u);
+  EXPECT_GT(json["recommended"][0]["dt_reduced"], 0.05);
+  EXPECT_LT(json["recommended"][0]["dt_reduced"], 0.8);
+  EXPECT_NE(read_text_file(scratch / "study" / "report.html").find("<svg"), std::string::npos);
+  // What is stored is not run again; a trial that is missing is, and comes out the same but for its times.
+  auto const one = scratch / "study" / "trials" / "K10-ems-lie-trotter-verlet-dt0.2.json";
+  auto before = Json::parse(read_text_file(one));
+  std::filesystem::remove(one);
+  auto const again = program(study(scratch, {"--no-limit", "--threads", "1"}));
+  ASSERT_EQ(again.status, 0) << again.errors;
+  auto after = Json::parse(read_text_file(one));
+  for (auto* of : {&before, &after})
+    of->erase("us_per_particle_step");
+  EXPECT_EQ(before, after);
+  auto const untouched = Json::parse(again.output)["configurations"][0];
+  EXPECT_EQ(untouched, json["configurations"][0]); // with its times: it was read
+}
+
+TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
+  ScratchDirectory const scratch;
+  struct Case {
+    std::vector<std::string> more;
+    char const* message;
+  };
+  int ran = 0;
+  for (auto const& [more, message] :
+       {Case{{"--schemes", "sss"}, "ems"}, Case{{"--dt", "-1"}, "--dt"},
+        Case{{"--drift", "1e-6"}, "per unit of time"}, Case{{"--integrators", "euler"}, "two-stage"},
+        Case{{"--bias", "2"}, "0.5%"}}) {
+    std::vector<std::string> words{"trade-off", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml",
+                                   "-o", (scratch / "x").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    auto const result = program(words);
+    EXPECT_EQ(result.status, 2) << result.errors;
+    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
+    ++ran;
+  }
+  EXPECT_EQ(ran, 5);
+}
+
+std::string auto_scene() {
+  return "title = \"auto\"\n[fluid]\neos = \"ideal-gas\"\nrho = \"1150 kg/m^3\"\nT = \"1000 K\"\nm0 = "
+         "\"1e-25 kg\"\n"
+         "[particles]\nN = 216\nK = 10\n[transport]\neta = \"2e-3 Pa*s\"\n"
+         "[run]\nequilibrate = 64\nsteps = 640\n[scheme]\ndt = \"auto\"\ndrift = \"1e-4/ps\"\n";
+}
+
+TEST(AutomaticTimeStep, IsFoundStoredAndKeptOnResume) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "s.toml", auto_scene());
+  auto run = [&](std::string const& name, std::vector<std::string> const& more) {
+    std::vector<std::string> words{"run", (scratch / "s.toml").string(), "-o", (scratch / name).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return program(words);
+  };
+  auto const first = run("a", {"--set", "run.checkpoint_every=300"});
+  ASSERT_EQ(first.status, 0) << first.errors;
+  EXPECT_NE(first.errors.find("chosen for drift 1e-4/ps"), std::string::npos) << first.errors;
+  auto const resolved = read_text_file(scratch / "a" / "scene.toml");
+  EXPECT_NE(resolved.find("dt_chosen_for = \"drift 1e-4/ps\""), std::string::npos) << resolved;
+  EXPECT_EQ(resolved.find("auto\"\ndrift"), std::string::npos) << resolved;
+  auto rows = [&](std::string const& name) {
+    return Store(scratch / name / "run.h5", Store::Mode::read).read_doubles("thermodynamics");
+  };
+  auto const unbroken = rows("a");
+  EXPECT_EQ(unbroken.size(), 65u * 12u);
+  // From the last checkpoint, step 600 of 640, without another study.
+  std::filesystem::remove_all(scratch / "a" / "dt-auto");
+  auto const resumed = run("a", {"--set", "run.checkpoint_every=300", "--resume"});
+  ASSERT_EQ(resumed.status, 0) << resumed.errors;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "a" / "dt-auto"));
+  EXPECT_TRUE(unbroken == rows("a"));
+  // The resolved scene runs to the same bits.
+  auto const other =
+      program({"run", (scratch / "a" / "scene.toml").string(), "-o", (scratch / "b").string()});
+  ASSERT_EQ(other.status, 0) << other.errors;
+  EXPECT_TRUE(unbroken == rows("b"));
+}
+
+TEST(Reproduce, ListsWhatItHas) {
+  auto const list = program({"reproduce", "list", "--json"});
+  ASSERT_EQ(list.status, 0) << list.errors;
+  EXPECT_GE(Json::parse(list.output)["reproductions"].size(), 10u);
+  auto const unknown = program({"reproduce", "tabel-4.1"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.errors.find("did you mean 'table-4.1'"), std::string::npos) << unknown.errors;
+}
+
+} // namespace
+} // namespace mesobridge::workflows

@@ -1,0 +1,121 @@
+#include "sdpd/scheme/list.hpp"
+#include "workflows/command/studies.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/study/target.hpp"
+#include "workflows/study/trade_off_summary.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> set;
+  TradeOffPlan plan{.schemes = {"ssa", "ams", "ems"},
+                    .splittings = {"lie-trotter"},
+                    .integrators = {"verlet", "two-stage"},
+                    .dt = {0.05, 0.1, 0.15, 0.2, 0.3},
+                    .K = {}};
+  std::optional<std::string> drift, bias;
+  bool no_limit = false;
+};
+
+void check_plan(TradeOffPlan const& plan) {
+  for (auto const& name : plan.schemes)
+    sdpd::pair_scheme(name);
+  for (auto const& name : plan.integrators)
+    sdpd::conservative_integrator(name);
+  for (auto const& name : plan.splittings)
+    require(name == "lie-trotter" || name == "strang", "--splittings", name, "must be lie-trotter or strang");
+  for (double const dt : plan.dt)
+    require(dt > 0 && std::isfinite(dt), "--dt", dt, "must be > 0 (reduced units)");
+  for (double const K : plan.K)
+    require(K >= 1 && std::isfinite(K), "--K", K, "must be >= 1");
+}
+
+Target target_of(Options const& options, Scene const& scene) {
+  auto read = [&](char const* option, std::optional<std::string> const& text, auto const& parse) {
+    try {
+      parse();
+    } catch (InputError const& error) {
+      throw InputError(fmt::format("{} {}: {}", option, *text, error.what()));
+    }
+  };
+  Target target;
+  double const time = settings_of(scene, 1).units().time();
+  read("--drift", options.drift,
+       [&] { target.drift = parse_target(options.drift, {}, scene.units, time).drift; });
+  read("--bias", options.bias, [&] { target.bias = parse_target({}, options.bias, scene.units, time).bias; });
+  return target;
+}
+
+Result run(Options const& options, Context const& context) {
+  auto overrides = options.set;
+  if (context.options.seed)
+    overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
+  Scene const scene = load_scene(options.scene, overrides);
+  auto plan = options.plan;
+  if (plan.K.empty())
+    plan.K = {scene.particles.K};
+  plan.stability_limit = !options.no_limit;
+  check_plan(plan);
+  auto const target = target_of(options, scene);
+  auto const directory =
+      context.output_directory("out/trade-off-" + std::filesystem::path(options.scene).stem().string());
+  std::error_code ignored;
+  std::filesystem::create_directories(directory / "trials", ignored); // writing there says what is wrong
+  auto progress = context.progress("Trade-off", 1);
+  auto const found = trade_off(scene, plan,
+                               {.directory = directory / "trials",
+                                .threads = context.options.threads.value_or(available_threads()),
+                                .keep_going = [&](double share, std::string const& name) {
+                                  progress.update(share, name);
+                                  return !interrupt_requested();
+                                }});
+  progress.finish();
+  auto report = trade_off_report(found, target);
+  report.provenance = {
+      context.command_line(), static_cast<std::uint64_t>(scene.run.seed), resolved_toml(scene), {}};
+  Result result;
+  result.json = trade_off_json(found, target);
+  write_summary(directory / "summary.json", result.json);
+  write_text_file(directory / "report.html", report.html());
+  result.json["report"] = (directory / "report.html").string();
+  result.text = (target.drift || target.bias ? recommendation_text(found, target) : "") +
+                (directory / "report.html").string();
+  return result;
+}
+
+} // namespace
+
+Command trade_off_command() {
+  return {
+      .name = "trade-off",
+      .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
+      .example = "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
+      .declare = [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        auto& plan = options->plan;
+        app.add_option("scene", options->scene, "scene file (TOML)")->required();
+        app.add_option("--set", options->set, "override a key of the scene: section.key=value; repeatable")
+            ->expected(1)
+            ->take_all();
+        app.add_option("--schemes", plan.schemes, "pair schemes")->delimiter(',');
+        app.add_option("--splittings", plan.splittings, "lie-trotter, strang")->delimiter(',');
+        app.add_option("--integrators", plan.integrators, "of the conservative forces")->delimiter(',');
+        app.add_option("--dt", plan.dt, "time steps, reduced")->delimiter(',');
+        app.add_option("--K", plan.K, "sizes of particles (default: the scene's)")->delimiter(',');
+        app.add_option("--time", plan.time, "reduced time that each run samples")
+            ->check(CLI::Range(20., 1e7));
+        app.add_option("--particles", plan.particles, "of a run, at least")->check(CLI::Range(125, 1000000));
+        app.add_option("--drift", options->drift, "wanted energy drift, such as 1e-6/ps");
+        app.add_option("--bias", options->bias, "wanted bias of T_kin, T_int and P, such as 0.5%");
+        app.add_flag("--no-limit", options->no_limit, "do not search for the largest stable time steps");
+        return [options](Context& context) { return run(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,16 @@
+#pragma once
+#include "workflows/scene/scene.hpp"
+
+namespace mesobridge::workflows {
+
+/// Reads "1e-6/ps" (in Lennard-Jones scenes a plain number per unit of time) as a rate per second (per
+/// Lennard-Jones unit of time), > 0. Throws InputError that says what is allowed; the caller names the key.
+double parse_rate(std::string const& text, UnitSystem units);
+
+/// Reads "0.5%" or "0.005", > 0 and < 1. Throws InputError that says what is allowed.
+double parse_share(std::string const& text);
+
+/// What a scene wishes of its automatic time step in one line: "drift 1e-6/ps, bias 0.5%".
+std::string wish_text(Scene::Scheme const& scheme);
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,53 @@
+#include "workflows/study/automatic_dt.hpp"
+#include "md/error.hpp"
+#include "workflows/scene/wish.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/study/target.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr double study_time = 200; ///< reduced time that each trial samples
+
+Scene with_time_step(Scene scene, TimeStep const& dt) {
+  scene.scheme.dt_chosen_for = wish_text(scene.scheme);
+  scene.scheme.drift = scene.scheme.bias = std::nullopt;
+  scene.scheme.dt = dt;
+  return scene;
+}
+
+} // namespace
+
+ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
+  Scene trial = with_time_step(scene, {.value = 1});
+  trial.scheme.dt_chosen_for = std::nullopt;
+  TradeOffPlan const plan{.schemes = {scene.scheme.name},
+                          .splittings = {scene.scheme.splitting},
+                          .integrators = {scene.scheme.conservative},
+                          .dt = {0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.4},
+                          .K = {scene.particles.K},
+                          .time = study_time,
+                          .stability_limit = false};
+  auto const target =
+      parse_target(scene.scheme.drift, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());
+  auto const found = trade_off(trial, plan, options);
+  auto const choice = largest_dt(found, 0, target);
+  if (!choice)
+    throw PhysicsError(
+        fmt::format("scheme.dt = \"auto\": no time step of {} to {} meets {} with {}; wish for "
+                    "less, or take another scheme or integrator (`mesobridge trade-off` compares them)",
+                    plan.dt.front(), plan.dt.back(), wish_text(scene.scheme), scene.scheme.name));
+  return {with_time_step(scene, {.value = choice->dt}),
+          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}", choice->dt, wish_text(scene.scheme),
+                      choice->because)};
+}
+
+Scene with_stored_time_step(Scene const& scene, Scene const& stored) {
+  auto const wish = wish_text(scene.scheme);
+  require(stored.scheme.dt_chosen_for == wish, "the time step of the checkpoint",
+          stored.scheme.dt_chosen_for.value_or("(given)"),
+          fmt::format("must have been chosen for {} as the scene wishes", wish));
+  return with_time_step(scene, stored.scheme.dt);
+}
+
+} // namespace mesobridge::workflows

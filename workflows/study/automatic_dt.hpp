@@ -1,0 +1,19 @@
+#pragma once
+#include "workflows/study/study.hpp"
+
+namespace mesobridge::workflows {
+
+/// A scene with dt = "auto" and the time step that a short trade-off of its own scheme finds for its wishes;
+/// the wish stays as `scheme.dt_chosen_for`. The same for any number of threads. Trials are stored in
+/// `options.directory`. Throws PhysicsError when no time step meets the wishes.
+struct ChosenTimeStep {
+  Scene scene;
+  std::string why; ///< "dt = 0.12 reduced: limited by the wanted energy drift"
+};
+ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options);
+
+/// The scene with the time step that the stored scene was given for the same wishes. Throws InputError when
+/// the stored scene had others.
+Scene with_stored_time_step(Scene const& scene, Scene const& stored);
+
+} // namespace mesobridge::workflows
