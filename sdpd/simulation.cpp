@@ -128,6 +128,7 @@ System pair_fluid_system(SimulationSettings const& s) {
 
 std::unique_ptr<System> build(SimulationSettings const& s) {
   auto system = std::make_unique<System>(s.pair_fluid ? pair_fluid_system(s) : sdpd_system(s));
+  system->dt = s.dt;
   system->particles.resize(particle_count(s), system->has_energies(), system->has_densities());
   place_on_lattice(system->particles, s);
   if (s.noise)
@@ -378,8 +379,13 @@ Snapshot Simulation::snapshot() const {
 void Simulation::heat(double rise) {
   auto const C = heat_capacities(*system_);
   auto& eps = system_->particles.eps;
+  auto const& T = system_->particles.T;
+  double sum_C = 0, sum_CT = 0;
   for (std::size_t i = 0; i < eps.size(); ++i)
-    eps[i] += C[i] * rise;
+    sum_C += C[i], sum_CT += C[i] * T[i];
+  double const factor = rise * sum_C / sum_CT; // one for all: small cold particles stay above zero
+  for (std::size_t i = 0; i < eps.size(); ++i)
+    eps[i] += C[i] * T[i] * factor;
   refresh(*system_);
 }
 

@@ -101,8 +101,8 @@ class Simulation {
   PairCounts pair_counts() const;
   PairCounts conduction_counts() const; ///< the same of heat conduction
 
-  /// Adds `heat` times its heat capacity to every particle's energy: the temperature rises by about `heat`
-  /// (reduced).
+  /// Heats all particles by one factor of their temperatures, with as much energy as would raise every one by
+  /// `rise` (reduced).
   void heat(double rise);
   /// Total heat capacity dE/dT, internal and kinetic, in k_B.
   double heat_capacity() const;

@@ -39,7 +39,7 @@ void verlet_step(System& system, double dt) {
 }
 
 /// McLachlan's scheme of two stages and least error (SIAM J. Sci. Comput. 16 (1995) 151; Omelyan, Mryglod and
-/// Folk, Comput. Phys. Commun. 151 (2003) 272, Eq. (25)). Symplectic and time-reversible, as Verlet is.
+/// Folk, Comput. Phys. Commun. 151 (2003) 272). Symplectic and time-reversible, as Verlet is.
 void two_stage_step(System& system, double dt) {
   constexpr double outer = 0.1931833275037836;
   kick(system, outer * dt);
@@ -60,16 +60,16 @@ void conservative_step(System& system, Conservative conservative, double dt) {
   }
 }
 
-/// Brings the total energy back to what it was, with one change of temperature for all particles.
+/// Brings the total energy back to what it was, with one factor for all particles' temperatures, so that
+/// small cold ones stay above zero.
 void restore_energy(System& system) {
   auto& particles = system.particles;
   double const missing = system.kept_energy - total_energy(system);
-  double const rise = missing / sum_over_particles(system, [&](std::size_t i) {
-                        return 1 / particles.caloric[i].inverse_C_0;
-                      });
+  auto const heat = [&](std::size_t i) { return particles.T[i] / particles.caloric[i].inverse_C_0; };
+  double const factor = missing / sum_over_particles(system, heat);
   for_each_range(system, [&](Range range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
-      particles.eps[i] += rise / particles.caloric[i].inverse_C_0;
+      particles.eps[i] += factor * heat(i);
   });
 }
 

@@ -26,8 +26,8 @@ struct Scheme {
   std::uint32_t verlet_steps = 1;
   Splitting splitting = Splitting::lie_trotter;
   Conservative conservative = Conservative::verlet;
-  /// Takes the energy that the Verlet steps lose or gain out of the internal energies after each sweep, as
-  /// the same change of temperature for all particles.
+  /// Takes the energy that the Verlet steps lose or gain out of the internal energies after each sweep, by
+  /// one factor for all particles' temperatures.
   bool keep_energy = false;
 };
 

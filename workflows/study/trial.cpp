@@ -169,7 +169,7 @@ sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
                                     std::function<bool()> const& keep_going) {
   auto settings = settings_of(scene, 1);
   settings.dt = dt;
-  settings.scheme = {.pairs = sdpd::PairScheme::ems};
+  settings.scheme = {.pairs = settings.noise ? sdpd::PairScheme::ems : sdpd::PairScheme::ssa};
   sdpd::Simulation simulation(settings);
   sdpd::equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
   return simulation.checkpoint();

@@ -27,8 +27,8 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
                                   "--quiet",
                                   "--threads",
                                   "1"};
-  for (char const* set : {"particles.N=216", "run.equilibrate=64", "run.steps=4000", "run.sample_every=5",
-                          "run.trajectory_every=400", "run.checkpoint_every=100"})
+  for (char const* set : {"particles.N=343", "run.equilibrate=64", "run.steps=2500", "run.sample_every=5",
+                          "run.trajectory_every=250", "run.checkpoint_every=100"})
     result.insert(result.end(), {"--set", set});
   if (resume)
     result.push_back("--resume");
@@ -92,7 +92,7 @@ TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
                                          "particles/P"},
       frames{"particles/all/position/value", "particles/all/velocity/value"};
   auto const expected = datasets(unbroken / "run.h5", results);
-  ASSERT_EQ(expected[0].size(), 801u * 12u);
+  ASSERT_EQ(expected[0].size(), 501u * 12u);
   EXPECT_TRUE(expected == datasets(broken / "run.h5", results));
   EXPECT_TRUE(datasets(unbroken / "trajectory.h5", frames) == datasets(broken / "trajectory.h5", frames));
   EXPECT_EQ(read_text_file(unbroken / "summary.json"), read_text_file(broken / "summary.json"));
