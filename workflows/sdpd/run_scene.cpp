@@ -218,7 +218,7 @@ class Run {
       put(json, "energy_drift_per" + (units_.time_key.empty() ? "_time" : units_.time_key),
           cg::Estimate{e.drift.rate / units_.time, e.drift.se / units_.time, 8});
     }
-    for (std::string const& energy : {"kinetic_energy", "potential_energy"})
+    for (std::string const energy : {"kinetic_energy", "potential_energy"})
       if (auto const mean = run_file_->mean(energy + units_.energy_key); mean && !observables.densities)
         put(json, energy + "_per_particle" + units_.energy_key,
             in(*mean, 1 / static_cast<double>(simulation_.size())));

@@ -1,0 +1,180 @@
+#include "md/error.hpp"
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/sdpd/column_file.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/text_file.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+std::string const dpde = R"(title = "DPDE"
+units = "lj"
+[method]
+name = "dpde"
+[fluid]
+rho = 3
+T = 1
+[particles]
+N = 1000
+mass = 1
+[potential]
+name = "soft"
+a = 25
+cutoff = 1
+[friction]
+gamma_par = 4.5
+cutoff = 1
+[internal_energy]
+heat_capacity = 60
+[scheme]
+dt = 0.01
+[run]
+steps = 100
+)";
+
+std::string replaced(std::string text, std::string const& what, std::string const& by) {
+  auto const at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+std::string error_of(std::string const& text) {
+  try {
+    parse_scene(text, "bad.toml");
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
+  auto const scene = parse_scene(dpde, "dpde.toml");
+  EXPECT_EQ(scene.method.name, "dpde");
+  EXPECT_EQ(scene.potential.a, 25);
+  EXPECT_EQ(scene.friction.gamma_par, 4.5);
+  EXPECT_EQ(scene.internal_energy.heat_capacity, 60);
+  auto const resolved = resolved_toml(scene);
+  EXPECT_TRUE(parse_scene(resolved, "resolved.toml") == scene);
+  for (auto const* absent : {"eos", "K =", "kernel", "eta", "h_factor"})
+    EXPECT_EQ(resolved.find(absent), std::string::npos) << absent << resolved;
+  auto const settings = settings_of(scene, 1);
+  ASSERT_TRUE(settings.pair_fluid);
+  EXPECT_TRUE(settings.pair_fluid->follows_energy());
+  EXPECT_EQ(settings.dt, 0.01);
+  EXPECT_DOUBLE_EQ(settings.spacing(), std::cbrt(1.0 / 3));
+  EXPECT_NO_THROW(sdpd::check(settings));
+}
+
+// The same fluid in SI: kT, m and r_c of some substance; all reduced quantities are those of the plain scene.
+TEST(PairScene, InSiIsTheSameFluid) {
+  std::string const si = R"(title = "DPDE"
+[method]
+name = "dpde"
+[fluid]
+rho = "3000 kg/m^3"
+T = "300 K"
+[particles]
+N = 1000
+mass = "1e-24 kg"
+[potential]
+name = "soft"
+a = "1.0354867500e-10 N"
+cutoff = "1 nm"
+[friction]
+gamma_par = "2.896108e-13 kg/s"
+cutoff = "1 nm"
+[internal_energy]
+heat_capacity = 60
+[scheme]
+dt = "0.1 ps"
+[run]
+steps = 100
+)";
+  auto const plain = settings_of(parse_scene(dpde, "dpde.toml"), 1),
+             physical = settings_of(parse_scene(si, "si.toml"), 1);
+  auto const units = physical.units();
+  EXPECT_DOUBLE_EQ(units.length(), 1e-9);
+  EXPECT_DOUBLE_EQ(units.energy(), 1.380649e-23 * 300);
+  EXPECT_NEAR(physical.spacing(), plain.spacing(), 1e-12);
+  EXPECT_NEAR(physical.dt * units.time(), 1e-13, 1e-22);
+  auto force = [](sdpd::SimulationSettings const& s) {
+    auto const potential = s.pair_fluid->reduced_potential(s.units());
+    return std::get<sdpd::SoftPotential>(potential)(0.5, 2.0).strength;
+  };
+  EXPECT_NEAR(force(physical) / force(plain), 1, 1e-6);
+  auto friction = [](sdpd::SimulationSettings const& s) {
+    auto const law = s.pair_fluid->law(s.units());
+    auto const& shape = std::get<sdpd::DpdeLaw<sdpd::Across::none>>(law).shape;
+    return std::get<sdpd::PowerFriction>(shape)(0.5).par;
+  };
+  EXPECT_NEAR(friction(physical) / friction(plain), 1, 1e-3);
+}
+
+TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
+  struct Case {
+    std::string what, by;
+    std::vector<std::string> message;
+  };
+  std::vector<Case> const cases{
+      {"\"dpde\"", "\"dpdee\"", {"method.name", "dpde"}},
+      {"N = 1000", "N = 1000\nK = 10", {"particles.K", "sdpd"}},
+      {"mass = 1\n", "", {"particles.mass", "missing"}},
+      {"a = 25\n", "", {"potential.a", "soft"}},
+      {"a = 25\n", "a = 25\nsigma = 1\n", {"potential.sigma", "lj"}},
+      {"\"soft\"", "\"lj\"", {"potential.epsilon"}},
+      {"gamma_par = 4.5\n", "", {"friction.gamma_par"}},
+      {"gamma_par = 4.5", "gamma_par = -1", {"friction.gamma_par"}},
+      {"heat_capacity = 60", "", {"internal_energy.heat_capacity"}},
+      {"heat_capacity = 60", "heat_capacity = 0", {"internal_energy.heat_capacity", "> 0"}},
+      {"heat_capacity = 60", "model = \"none.toml\"", {"internal_energy.model", "none.toml"}},
+      {"name = \"dpde\"", "name = \"dpd\"", {"internal_energy.heat_capacity", "dpde"}},
+  };
+  int ran = 0;
+  for (auto const& [what, by, parts] : cases) {
+    auto const message = error_of(replaced(dpde, what, by));
+    for (auto const& part : parts)
+      EXPECT_NE(message.find(part), std::string::npos) << "looked for " << part << " in: " << message;
+    ++ran;
+  }
+  EXPECT_EQ(ran, 12);
+  auto dpd = replaced(replaced(dpde, "name = \"dpde\"", "name = \"dpd\""),
+                      "[internal_energy]\nheat_capacity = 60\n", "");
+  EXPECT_EQ(error_of(dpd), "no error");
+  EXPECT_NE(error_of(replaced(dpd, "dt = 0.01", "dt = 0.01\nname = \"ems\"")).find("no internal energies"),
+            std::string::npos);
+}
+
+TEST(PairScene, TakesTablesAndModelsFromFiles) {
+  tests::ScratchDirectory const scratch;
+  std::string potential = "# r,u,f\nr,u,f\n";
+  for (double r = 0.05; r <= 1; r += 0.05)
+    potential += fmt::format("{},{},{}\n", r, 12.5 * (1 - r) * (1 - r), 25 * (1 - r));
+  write_text_file(scratch / "u.csv", potential);
+  write_text_file(scratch / "gamma.csv", "r,gamma_par\n0,4.5\n0.5,1.1\n1.0,0\n");
+  write_text_file(scratch / "model.toml",
+                  "format = \"mesobridge internal energy 1\"\nkind = \"constant\"\ntemperature_unit = "
+                  "\"reduced\"\n[constant]\nC_kB = 30.0\n");
+  auto text = replaced(dpde, "name = \"soft\"\na = 25\ncutoff = 1", "name = \"table\"\nfile = \"u.csv\"");
+  text = replaced(text, "gamma_par = 4.5\ncutoff = 1", "file = \"gamma.csv\"");
+  text = replaced(text, "heat_capacity = 60", "model = \"model.toml\"");
+  auto const settings = settings_of(parse_scene(text, scratch / "scene.toml"), 1);
+  auto const& fluid = *settings.pair_fluid;
+  EXPECT_NEAR(std::get<sdpd::TabulatedPotential>(fluid.potential)(0.325, 1 / 0.325).strength * 0.325,
+              25 * 0.675, 1e-6);
+  EXPECT_NEAR(std::get<sdpd::TabulatedFriction>(fluid.friction)(0.5).par, 1.1, 1e-3);
+  EXPECT_EQ(std::get<fitting::ConstantHeatCapacity>(*fluid.internal_energy).heat_capacity(1), 30);
+
+  write_text_file(scratch / "bad.csv", "r,u\n0.1,2\n0.2,x\n");
+  try {
+    read_columns(scratch / "bad.csv", {"r", "u"}, {});
+    FAIL();
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("bad.csv:3: u = 'x'"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(read_columns(scratch / "bad.csv", {"r"}, {}), InputError);
+  EXPECT_THROW(read_columns(scratch / "bad.csv", {"r", "u", "f"}, {}), InputError);
+}
+
+} // namespace
+} // namespace mesobridge::workflows

@@ -1,0 +1,76 @@
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/command.hpp"
+#include "workflows/process.hpp"
+#include "workflows/store/store.hpp"
+#include "workflows/text_file.hpp"
+#include <gtest/gtest.h>
+
+// `mesobridge run` and `bench engine` with DPD and DPDE, as their users run them.
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+ProcessResult run(std::string const& scene, std::filesystem::path const& directory,
+                  std::vector<std::string> const& more = {}) {
+  std::vector<std::string> words{MESOBRIDGE_PROGRAM,
+                                 "run",
+                                 MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + scene + ".toml",
+                                 "-o",
+                                 directory.string(),
+                                 "--quiet",
+                                 "--json"};
+  for (char const* set : {"particles.N=512", "run.equilibrate=64", "run.steps=320", "run.sample_every=5",
+                          "run.trajectory_every=100", "run.checkpoint_every=150"})
+    words.insert(words.end(), {"--set", set});
+  words.insert(words.end(), more.begin(), more.end());
+  return run_process(words);
+}
+
+std::vector<double> thermodynamics(std::filesystem::path const& directory) {
+  return Store(directory / "run.h5", Store::Mode::read).read_doubles("thermodynamics");
+}
+
+class PairRun : public ::testing::TestWithParam<char const*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, PairRun, ::testing::Values("dpd-fluid", "dpde-fluid"),
+                         [](auto const& info) { return info.index == 0 ? "dpd" : "dpde"; });
+
+TEST_P(PairRun, WritesItsFilesAndGoesOnFromACheckpoint) {
+  bool const energies = std::string(GetParam()) == "dpde-fluid";
+  ScratchDirectory const scratch;
+  auto const first = run(GetParam(), scratch / "a", {"--threads", "1"});
+  ASSERT_EQ(first.status, 0) << first.errors;
+  auto const json = Json::parse(first.output);
+  EXPECT_NEAR(json["T_kin"].get<double>(), 1, 0.05);
+  EXPECT_NEAR(json["P"].get<double>(), 23.6, 1);
+  EXPECT_GT(json["P_se"].get<double>(), 0);
+  EXPECT_TRUE(json.contains("potential_energy_per_particle_se"));
+  EXPECT_EQ(json.contains("T_int"), energies);
+  EXPECT_EQ(json.contains("energy_drift_per_reduced_time"), energies);
+  EXPECT_FALSE(json.contains("K"));
+  EXPECT_EQ(thermodynamics(scratch / "a").size(), 65u * (energies ? 12u : 10u));
+  EXPECT_NE(read_text_file(scratch / "a" / "report.html").find(energies ? "DPDE particles" : "DPD particles"),
+            std::string::npos);
+  // From the checkpoint after 300 of the 320 steps to the same end, on two threads.
+  auto const rows = thermodynamics(scratch / "a");
+  auto const summary = read_text_file(scratch / "a" / "summary.json");
+  auto const resumed = run(GetParam(), scratch / "a", {"--threads", "2", "--resume"});
+  ASSERT_EQ(resumed.status, 0) << resumed.errors;
+  EXPECT_EQ(thermodynamics(scratch / "a"), rows);
+  EXPECT_EQ(read_text_file(scratch / "a" / "summary.json"), summary);
+}
+
+TEST(BenchEngine, TimesDpdAndDpde) {
+  for (char const* method : {"dpd", "dpde"}) {
+    auto const result = run_process({MESOBRIDGE_PROGRAM, "bench", "engine", "--method", method,
+                                     "--neighbours", "20", "--side", "8", "--steps", "2", "--json"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    auto const json = Json::parse(result.output);
+    EXPECT_EQ(json["method"], method);
+    EXPECT_NEAR(json["neighbours"].get<double>(), 20, 3);
+  }
+}
+
+} // namespace
+} // namespace mesobridge::workflows
