@@ -163,6 +163,43 @@ Frame LammpsSession::frame() {
   });
 }
 
+OwnedAtoms LammpsSession::owned_atoms(std::string const& energy_compute) {
+  return guarded("read the atoms", [&](void* lammps) {
+    auto const n = std::size_t(lammps_extract_setting(lammps, "nlocal"));
+    auto const* const ids = static_cast<int const*>(lammps_extract_atom(lammps, "id"));
+    auto const vectors = [&](char const* name) {
+      auto const* const* const rows = static_cast<double const* const*>(lammps_extract_atom(lammps, name));
+      std::vector<Vec3> result(n);
+      for (std::size_t i = 0; i < n; ++i)
+        result[i] = {rows[i][0], rows[i][1], rows[i][2]};
+      return result;
+    };
+    OwnedAtoms atoms{
+        .ids = {ids, ids + n}, .q = vectors("x"), .v = vectors("v"), .f = vectors("f"), .potential = {}};
+    if (!energy_compute.empty()) {
+      auto const* const energies = static_cast<double const*>(
+          lammps_extract_compute(lammps, energy_compute.c_str(), LMP_STYLE_ATOM, LMP_TYPE_VECTOR));
+      require(energies != nullptr || n == 0, "LAMMPS compute", energy_compute,
+              "no compute with this id has a number for each atom");
+      atoms.potential.assign(energies, energies + n);
+    }
+    return atoms;
+  });
+}
+
+void LammpsSession::set_velocities(
+    std::function<Vec3(std::int64_t id, Vec3 const& velocity)> const& velocity_of) {
+  guarded("set velocities", [&](void* lammps) {
+    int const n = lammps_extract_setting(lammps, "nlocal");
+    auto const* const ids = static_cast<int const*>(lammps_extract_atom(lammps, "id"));
+    auto* const* const v = static_cast<double* const*>(lammps_extract_atom(lammps, "v"));
+    for (int i = 0; i < n; ++i) {
+      Vec3 const now = velocity_of(ids[i], {v[i][0], v[i][1], v[i][2]});
+      v[i][0] = now.x, v[i][1] = now.y, v[i][2] = now.z;
+    }
+  });
+}
+
 bool LammpsSession::has_style(std::string const& category, std::string const& name) const {
   return lammps_has_style(handle_->lammps, category.c_str(), name.c_str()) != 0;
 }

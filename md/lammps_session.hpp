@@ -4,6 +4,7 @@
 #include "md/mpi_world.hpp"
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,14 @@ enum class Ranks {
 };
 
 enum class Log { replace, append };
+
+/// The atoms that one rank owns, in LAMMPS's order, which means nothing. Positions may lie a little outside
+/// the box. In LAMMPS's units.
+struct OwnedAtoms {
+  std::vector<std::int64_t> ids; ///< from 1
+  std::vector<Vec3> q, v, f;
+  std::vector<double> potential; ///< each atom's share of the potential energy; empty if not asked for
+};
 
 /// One LAMMPS inside this process. LAMMPS writes to its log file only, never to the terminal. Every error
 /// inside LAMMPS is thrown as LammpsError; the session is then spent (its run is half done) and may only be
@@ -55,6 +64,12 @@ class LammpsSession {
   std::int64_t step() const;
   /// All atoms, on every rank. Throws InputError when the box is not rectangular.
   Frame frame();
+
+  /// The atoms of this rank as of the last step. `energy_compute` names a compute pe/atom that the last step
+  /// has tallied (a thermo output that needs it does so), or is empty.
+  OwnedAtoms owned_atoms(std::string const& energy_compute);
+  /// Gives the atoms of this rank new velocities between two runs.
+  void set_velocities(std::function<Vec3(std::int64_t id, Vec3 const& velocity)> const& velocity_of);
 
   /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
   bool has_style(std::string const& category, std::string const& name) const;

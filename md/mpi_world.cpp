@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <mpi.h>
+#include <numeric>
 #include <thread>
 
 namespace mesobridge::md {
@@ -69,6 +70,34 @@ std::vector<double> MpiWorld::root_gives(std::span<double const> numbers) const 
       return std::move(message->content);
     std::this_thread::sleep_for(std::chrono::milliseconds(5)); // MPI would wait at full load
   }
+}
+
+std::vector<double> MpiWorld::exchange(std::vector<std::vector<double>> const& to_each) const {
+  if (size_ == 1)
+    return to_each.at(0);
+  std::vector<int> out(to_each.size()), in(to_each.size());
+  std::vector<double> outgoing;
+  for (std::size_t rank = 0; rank < to_each.size(); ++rank) {
+    out[rank] = int(to_each[rank].size());
+    outgoing.insert(outgoing.end(), to_each[rank].begin(), to_each[rank].end());
+  }
+  MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  auto const starts = [](std::vector<int> const& counts) {
+    std::vector<int> result(counts.size(), 0);
+    std::partial_sum(counts.begin(), counts.end() - 1, result.begin() + 1);
+    return result;
+  };
+  auto const out_starts = starts(out), in_starts = starts(in);
+  std::vector<double> incoming(std::size_t(in_starts.back() + in.back()));
+  MPI_Alltoallv(outgoing.data(), out.data(), out_starts.data(), MPI_DOUBLE, incoming.data(), in.data(),
+                in_starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+  return incoming;
+}
+
+std::vector<double> MpiWorld::gather_at_root(std::span<double const> numbers) const {
+  std::vector<std::vector<double>> to_each(std::size_t(size_), std::vector<double>{});
+  to_each[0].assign(numbers.begin(), numbers.end());
+  return exchange(to_each);
 }
 
 void MpiWorld::barrier() const {

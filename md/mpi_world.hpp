@@ -31,6 +31,12 @@ class MpiWorld {
   bool root_says(bool answer) const;
   /// Numbers of rank 0, given to every rank; the others wait for them without load. All ranks must call it.
   std::vector<double> root_gives(std::span<double const> numbers) const;
+  /// Gives each rank the numbers meant for it and returns what all ranks meant for this one, in the order of
+  /// the ranks. All ranks must call it; `to_each` has one entry a rank.
+  std::vector<double> exchange(std::vector<std::vector<double>> const& to_each) const;
+  /// The numbers of all ranks in the order of the ranks, on rank 0; nothing elsewhere. All ranks must call
+  /// it.
+  std::vector<double> gather_at_root(std::span<double const> numbers) const;
   /// Waits for all ranks.
   void barrier() const;
 

@@ -1,0 +1,66 @@
+#pragma once
+#include "cg/molecule_model.hpp"
+#include "md/molecule_atoms.hpp"
+#include "md/mpi_world.hpp"
+
+namespace mesobridge::cg {
+
+/// One molecule as a blob, in the units of the run (theory sheet, section 6).
+struct Blob {
+  Vec3 R;           ///< centre of mass, inside the box
+  Vec3 P;           ///< momentum
+  Vec3 F;           ///< net force: the sum of the forces on its atoms
+  double U_kin = 0; ///< kinetic energy relative to the centre of mass
+  double U_pot = 0; ///< potential energy inside the molecule: pairs and bonds
+  double Phi = 0;   ///< half of the potential energy with the other molecules
+
+  double U() const { return U_kin + U_pot; }
+  double internal_energy() const { return U() + Phi; }
+};
+
+/// All blobs of one instant.
+struct BlobFrame {
+  std::int64_t step = 0;
+  double time = 0;
+  Box box;
+  double energy = 0;   ///< total energy of the system as the MD program says it
+  double pressure = 0; ///< likewise
+  std::vector<Blob> blobs;
+};
+
+/// Turns the atoms of equal molecules into blobs. An atom's positions are joined along the bonds, so the
+/// molecules may lie across the borders of the box. Phi is what the atoms' potential energies (each half of
+/// the pairs and bonds that an atom takes part in) leave when those inside the molecule are taken away.
+class BlobMaker {
+ public:
+  explicit BlobMaker(MoleculeModel model);
+
+  /// One molecule; the spans have one entry an atom. Throws PhysicsError when it is wider than half the box,
+  /// so that nearest images say nothing.
+  Blob blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span<Vec3 const> f,
+            std::span<double const> potential, Box const& box);
+
+  /// All molecules of this rank. With an empty `potential` in the frame Phi stays 0.
+  std::vector<Blob> blobs(md::MoleculeFrame const& frame);
+
+  MoleculeModel const& model() const { return model_; }
+
+ private:
+  void join(std::span<Vec3 const> q, Box const& box);
+  void refuse_wide(Box const& box) const;
+  double energy_inside() const;
+
+  MoleculeModel model_;
+  std::vector<std::pair<int, int>> steps_;
+  std::vector<double> x_, y_, z_; ///< of one molecule, joined
+  double mass_;
+};
+
+/// The blobs of all ranks, on rank 0; no blobs elsewhere. All ranks must call it.
+BlobFrame gather_blobs(md::MpiWorld const& world, md::MoleculeFrame const& frame,
+                       std::span<Blob const> of_this_rank);
+
+/// sum of U + Phi + P^2/2M over the blobs, in the order of their numbers.
+double total_energy(std::span<Blob const> blobs, double mass);
+
+} // namespace mesobridge::cg

@@ -1,0 +1,166 @@
+#include "cg/entropy.hpp"
+#include "cg/density_fit.hpp"
+#include "cg/regression.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace mesobridge::cg {
+namespace {
+
+std::vector<double> all_energies(std::span<EnergySamples const> samples) {
+  std::vector<double> all;
+  for (auto const& set : samples)
+    for (auto const& block : set.U)
+      all.insert(all.end(), block.begin(), block.end());
+  std::sort(all.begin(), all.end());
+  require(all.size() >= 100, "samples of the energy of a molecule", all.size(), "at least 100 are needed");
+  require(all.front() > 0, "intrinsic energy", all.front(), "must be > 0: the curve is one in ln U");
+  return all;
+}
+
+std::size_t common_blocks(std::span<EnergySamples const> samples) {
+  require(!samples.empty(), "sets of samples", samples.size(), "at least one is needed");
+  std::size_t const blocks = samples.front().U.size();
+  require(blocks >= 4, "blocks of samples", blocks, "at least 4 are needed");
+  for (auto const& set : samples)
+    require(set.U.size() == blocks, "blocks of a set of samples", set.U.size(), "all sets need as many");
+  return blocks;
+}
+
+/// Sums that leave one block out; the last entry leaves none out.
+std::vector<Sums> without_each(std::vector<Sums> const& blocks) {
+  Sums whole(blocks[0].size(), 0.0);
+  for (auto const& block : blocks)
+    std::transform(whole.begin(), whole.end(), block.begin(), whole.begin(), std::plus{});
+  std::vector<Sums> result;
+  for (auto const& block : blocks) {
+    Sums rest = whole;
+    std::transform(rest.begin(), rest.end(), block.begin(), rest.begin(), std::minus{});
+    result.push_back(std::move(rest));
+  }
+  result.push_back(std::move(whole));
+  return result;
+}
+
+/// The inverse temperatures without one block; without none for a block beyond the last.
+std::vector<double> betas_without(std::span<EnergySamples const> samples, std::size_t block) {
+  std::vector<double> betas;
+  for (auto const& set : samples)
+    betas.push_back(block < set.beta_without.size() ? set.beta_without[block] : set.beta);
+  return betas;
+}
+
+} // namespace
+
+std::size_t EnergySamples::count() const {
+  std::size_t total = 0;
+  for (auto const& block : U)
+    total += block.size();
+  return total;
+}
+
+Estimate EntropyFit::estimate(std::function<double(EntropyCurve const&)> const& number) const {
+  double const whole = number(curve), blocks = double(without.size());
+  double sum = 0, squares = 0;
+  for (auto const& other : without) {
+    double const off = number(other) - whole;
+    sum += off, squares += off * off;
+  }
+  double const mean = sum / blocks;
+  double const variance = std::max(0.0, squares - blocks * mean * mean);
+  return {whole - (blocks - 1) * mean, std::sqrt((blocks - 1) / blocks * variance), blocks};
+}
+
+EntropyFit fit_entropy(std::span<EnergySamples const> samples, EntropyRoute route, int atoms,
+                       EntropySettings const& settings) {
+  std::size_t const blocks = common_blocks(samples);
+  require(settings.order >= 1 && settings.order <= 6, "order of the entropy curve", settings.order,
+          "must be 1 ... 6");
+  require(settings.tail >= 0 && settings.tail < 0.25, "part of the samples beyond the ends", settings.tail,
+          "must be in [0, 0.25)");
+  auto const all = all_energies(samples);
+  auto const quantile = [&](double part) { return all[std::size_t(part * double(all.size() - 1))]; };
+  EntropyCurve::Basis const basis{.U_ref = quantile(0.5),
+                                  .width = std::max(1e-9, std::log(quantile(0.84) / quantile(0.16)) / 2),
+                                  .order = settings.order};
+  double const low = quantile(settings.tail), high = quantile(1 - settings.tail);
+  std::vector<Sums> sums;
+  std::function<std::vector<double>(std::size_t, Sums const&, std::vector<double> const&)> solve;
+  DensityFit const density(basis, all.front(), all.back());
+  if (route == EntropyRoute::density) {
+    for (std::size_t block = 0; block < blocks; ++block)
+      sums.push_back(density.sums(samples, block));
+    solve = [&](std::size_t block, Sums const& s, std::vector<double> const& start) {
+      return density.solve(s, betas_without(samples, block), start);
+    };
+  } else {
+    for (std::size_t block = 0; block < blocks; ++block)
+      sums.push_back(kinetic_sums(basis, samples, block, atoms));
+    solve = [&](std::size_t, Sums const& s, std::vector<double> const&) {
+      return solve_regression(s, basis.order);
+    };
+  }
+  auto const rests = without_each(sums);
+  auto const theta = solve(blocks, rests.back(), {});
+  EntropyFit fit{.curve = EntropyCurve(basis, theta, low, high), .without = {}, .samples = all.size()};
+  for (std::size_t block = 0; block < blocks; ++block)
+    fit.without.emplace_back(basis, solve(block, rests[block], theta), low, high);
+  return fit;
+}
+
+namespace {
+
+Estimate jackknifed(std::vector<std::vector<double>> const& fits,
+                    std::function<double(std::vector<double> const&)> const& number) {
+  double const whole = number(fits.back()), blocks = double(fits.size() - 1);
+  double sum = 0, squares = 0;
+  for (std::size_t k = 0; k + 1 < fits.size(); ++k) {
+    double const off = number(fits[k]) - whole;
+    sum += off, squares += off * off;
+  }
+  double const mean = sum / blocks;
+  return {whole - (blocks - 1) * mean,
+          std::sqrt((blocks - 1) / blocks * std::max(0.0, squares - blocks * mean * mean)), blocks};
+}
+
+} // namespace
+
+Equipartition::Equipartition(std::span<EnergySamples const> samples, int atoms) {
+  std::size_t const blocks = common_blocks(samples);
+  auto const all = all_energies(samples);
+  U_ref_ = all[all.size() / 2];
+  width_ = std::max(1e-9, (all[all.size() * 84 / 100] - all[all.size() * 16 / 100]) / 2);
+  std::vector<Sums> parabola, line;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    Sums of_parabola(3 * 3 + 3, 0.0), of_line(2 * 2 + 2, 0.0);
+    for (auto const& set : samples)
+      for (std::size_t i = 0; i < set.U[block].size(); ++i) {
+        double const x = (set.U[block][i] - U_ref_) / width_, T = 2 * set.U_kin[block][i] / (3.0 * atoms);
+        add_sample(of_parabola, {1, x, x * x}, T);
+        add_sample(of_line, {1, x}, T);
+      }
+    parabola.push_back(std::move(of_parabola));
+    line.push_back(std::move(of_line));
+  }
+  for (auto const& sums : without_each(parabola))
+    coefficients_.push_back(solve_regression(sums, 3));
+  for (auto const& sums : without_each(line))
+    lines_.push_back(solve_regression(sums, 2));
+}
+
+Estimate Equipartition::T(double U) const {
+  double const x = (U - U_ref_) / width_;
+  return jackknifed(coefficients_, [&](auto const& c) { return c[0] + x * (c[1] + x * c[2]); });
+}
+
+Estimate Equipartition::C(double U) const {
+  double const x = (U - U_ref_) / width_;
+  return jackknifed(coefficients_, [&](auto const& c) { return width_ / (c[1] + 2 * x * c[2]); });
+}
+
+Estimate Equipartition::slope_C() const {
+  return jackknifed(lines_, [&](auto const& c) { return width_ / c[1]; });
+}
+
+} // namespace mesobridge::cg

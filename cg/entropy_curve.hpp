@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+namespace mesobridge::cg {
+
+/// The entropy of a molecule as a function of its intrinsic energy, S/k_B = sum_j theta_j y^j with
+/// y = ln(U/U_ref)/width, j = 1 ... m. One term alone is a harmonic molecule, S = (C) ln U. Between U_low and
+/// U_high it was sampled; beyond, it goes on with the heat capacity of the border. k_B = 1.
+class EntropyCurve {
+ public:
+  struct Basis {
+    double U_ref = 1, width = 1;
+    std::size_t order = 3;
+
+    double y(double U) const;
+    /// y, y^2 ... y^m at U > 0.
+    std::vector<double> functions(double U) const;
+    /// Their derivatives to U.
+    std::vector<double> slopes(double U) const;
+  };
+
+  EntropyCurve(Basis const& basis, std::vector<double> theta, double U_low, double U_high);
+
+  /// S against that at U_ref. Each throws PhysicsError where the continued curve has reached T = 0.
+  double S(double U) const;
+  double inverse_T(double U) const; ///< dS/dU
+  double T(double U) const { return 1 / inverse_T(U); }
+  double C(double U) const; ///< dU/dT
+
+  double U_low() const { return U_low_; }
+  double U_high() const { return U_high_; }
+  /// T = 0 here: the lowest energy that the continued curve knows.
+  double U_zero() const { return U_low_ - low_.C * low_.T; }
+  Basis const& basis() const { return basis_; }
+  std::vector<double> const& theta() const { return theta_; }
+
+ private:
+  struct Border {
+    double U, S, T, C;
+  };
+  double inside(double U, int derivative) const;
+  Border border(double U) const;
+  /// The temperature of the continued curve.
+  static double continued_T(Border const& border, double U);
+
+  Basis basis_;
+  std::vector<double> theta_;
+  double U_low_, U_high_;
+  Border low_, high_;
+};
+
+} // namespace mesobridge::cg

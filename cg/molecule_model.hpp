@@ -1,0 +1,53 @@
+#pragma once
+#include "md/box.hpp"
+#include "md/star_polymer.hpp"
+#include <span>
+#include <vector>
+
+namespace mesobridge::cg {
+
+/// A Lennard-Jones pair potential, cut at `cutoff` (0: none); shifted, it is zero there.
+class PairLaw {
+ public:
+  PairLaw(double epsilon, double sigma, double cutoff, bool shifted)
+      : epsilon_(epsilon), sigma_2_(sigma * sigma), cutoff_2_(cutoff * cutoff) {
+    if (shifted && cutoff > 0)
+      shift_ = unshifted(cutoff_2_);
+  }
+
+  /// At the squared distance r2 > 0; 0 beyond the cut-off.
+  double energy(double r2) const { return r2 < cutoff_2_ ? unshifted(r2) - shift_ : 0; }
+
+ private:
+  double unshifted(double r2) const {
+    double const s2 = sigma_2_ / r2, s6 = s2 * s2 * s2;
+    return 4 * epsilon_ * (s6 * s6 - s6);
+  }
+
+  double epsilon_, sigma_2_, cutoff_2_, shift_ = 0;
+};
+
+/// What holds one kind of molecule together: the part of the force field inside it.
+struct MoleculeModel {
+  std::vector<double> masses; ///< of its atoms, in order
+  std::vector<int> types;     ///< of its atoms, from 0
+  std::vector<PairLaw> pairs; ///< types x types
+  int type_count = 1;
+  std::vector<md::HarmonicBond> bonds;
+  /// Pairs of atoms that do not interact by the pair law (bonded ones in many force fields), a < b.
+  std::vector<std::pair<int, int>> excluded;
+
+  int atoms() const { return int(masses.size()); }
+  double mass() const;
+  PairLaw const& law(int type_a, int type_b) const {
+    return pairs[std::size_t(type_a * type_count + type_b)];
+  }
+};
+
+MoleculeModel model_of(md::StarPolymer const& star);
+
+/// Steps along bonds from atom 0 that reach every atom; an atom without a bond to the rest is reached from
+/// atom 0 itself. Each step goes from an atom that was reached before.
+std::vector<std::pair<int, int>> spanning_steps(MoleculeModel const& model);
+
+} // namespace mesobridge::cg

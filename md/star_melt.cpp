@@ -1,0 +1,244 @@
+#include "md/star_melt.hpp"
+#include "md/seeds.hpp"
+#include "md/star_system.hpp"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace mesobridge::md {
+namespace {
+
+/// How far the energy may go astray, in k_B T a bead. At the thesis's time step it moves by 1e-5.
+constexpr double energy_tolerance = 0.01;
+/// Steps between two looks at whether the user wants to stop.
+constexpr std::int64_t piece = 100;
+
+double lattice_spacing(StarMeltSettings const& settings) {
+  // A melt thinner than the closest lattice starts at its own density.
+  StarLattice const lattice{.star = settings.star, .molecules = settings.molecules, .spacing = 1};
+  double const beads = double(settings.molecules) * settings.star.atoms();
+  return std::max(touching_free_spacing(settings.star), std::cbrt(beads / settings.rho) / lattice.cells());
+}
+
+StarLattice lattice_of(StarMeltSettings const& settings) {
+  return {.star = settings.star,
+          .molecules = settings.molecules,
+          .spacing = lattice_spacing(settings),
+          .seed = settings.seed};
+}
+
+double beads_of(StarMeltSettings const& settings) {
+  return double(settings.molecules) * settings.star.atoms();
+}
+
+/// One stretch of the run in a session of its own.
+class Stretch {
+ public:
+  Stretch(MpiWorld const& world, StarMeltSettings const& settings, StarMeltConsumers const& consumers,
+          MeltStretch const& stretch, std::int64_t all_steps, std::optional<double>& first_energy)
+      : world_(world), settings_(settings), consumers_(consumers), stretch_(stretch), all_steps_(all_steps),
+        first_energy_(first_energy), lammps_(world, Ranks::all, settings.log_file(),
+                                             stretch.first_step == 0 ? Log::replace : Log::append) {}
+
+  bool run() {
+    start();
+    set_motion();
+    bool on = true;
+    explained(fmt::format("the {} melt at rho = {}", settings_.star.name(), settings_.rho), settings_.dt,
+              [&] { on = advance(); });
+    return on && (keep(), true);
+  }
+
+ private:
+  void start() {
+    prepare_for_stars(lammps_, settings_.star);
+    if (stretch_.first_step == 0)
+      create_stars(world_, lammps_, lattice_of(settings_), settings_.directory / "star-melt.data");
+    else
+      lammps_.command("read_restart \"{}\"", settings_.restart_file().string());
+    set_star_forces(lammps_, settings_.star);
+    lammps_.command("timestep {}", settings_.dt);
+    lammps_.command("thermo {}", stretch_.phase == MeltPhase::sample ? settings_.sample_every : 10 * piece);
+    if (stretch_.first_step == 0)
+      lammps_.command("velocity all create {} {} dist gaussian", settings_.T, lammps_seed(settings_.seed, 1));
+  }
+
+  void set_motion() {
+    lammps_.command("fix move all nve");
+    if (stretch_.phase == MeltPhase::sample)
+      lammps_.command("velocity all zero linear"); // exact zeros again after each reading
+    else
+      lammps_.command("fix bath all langevin {0} {0} {1} {2} zero yes", settings_.T, 1 / settings_.friction,
+                      lammps_seed(settings_.seed, 1000 + std::uint64_t(stretch_.first_step)));
+    if (stretch_.phase == MeltPhase::squeeze) {
+      double const edge = std::cbrt(beads_of(settings_) / stretch_.rho);
+      double const now = lammps_.thermo("lx"), middle = lammps_.thermo("xlo") + now / 2;
+      double const low = middle - edge / 2, high = middle + edge / 2;
+      lammps_.command("fix squeeze all deform 1 x final {0} {1} y final {0} {1} z final {0} {1} remap x "
+                      "units box",
+                      low, high);
+    }
+  }
+
+  bool advance() {
+    std::int64_t const begin = stretch_.first_step, end = begin + stretch_.steps;
+    std::int64_t const step = stretch_.phase == MeltPhase::sample ? settings_.sample_every : piece;
+    for (std::int64_t done = begin; done < end;) {
+      std::int64_t const next = std::min(step, end - done);
+      lammps_.command("run {} pre {} post no start {} stop {}", next, done == begin ? "yes" : "no", begin,
+                      end);
+      done += next;
+      if (stretch_.phase == MeltPhase::sample)
+        deliver();
+      if (!asked(done))
+        return false;
+    }
+    return true;
+  }
+
+  void deliver() {
+    auto const frame = collect_molecules(world_, lammps_, settings_.molecules, settings_.star.atoms());
+    if (!first_energy_)
+      first_energy_ = frame.energy;
+    double const astray = std::abs(frame.energy - *first_energy_) / (beads_of(settings_) * settings_.T);
+    if (!(astray <= energy_tolerance)) // a NaN too
+      throw PhysicsError(fmt::format("the {} melt at rho = {} does not keep its energy: by step {} it went "
+                                     "astray by {:.3g} k_B T a bead at the time step {}. Take a shorter --dt",
+                                     settings_.star.name(), settings_.rho, frame.step, astray, settings_.dt));
+    if (consumers_.frames)
+      consumers_.frames(frame);
+  }
+
+  bool asked(std::int64_t done) {
+    if (world_.size() == 1)
+      return !consumers_.steps || consumers_.steps(done, all_steps_);
+    return world_.root_says(!world_.is_root() || !consumers_.steps || consumers_.steps(done, all_steps_));
+  }
+
+  void keep() {
+    auto const file = settings_.restart_file();
+    auto const fresh = file.string() + ".new";
+    lammps_.command("write_restart \"{}\"", fresh);
+    if (consumers_.checkpoint)
+      consumers_.checkpoint();
+    world_.barrier();
+    if (world_.is_root())
+      std::filesystem::rename(fresh, file);
+    world_.barrier();
+  }
+
+  MpiWorld const& world_;
+  StarMeltSettings const& settings_;
+  StarMeltConsumers const& consumers_;
+  MeltStretch stretch_;
+  std::int64_t all_steps_;
+  std::optional<double>& first_energy_;
+  LammpsSession lammps_;
+};
+
+/// The step that the checkpoint stands at, 0 without one. All ranks must call it.
+std::int64_t step_of_checkpoint(MpiWorld const& world, StarMeltSettings const& settings) {
+  if (!world.root_says(std::filesystem::exists(settings.restart_file())))
+    return 0;
+  LammpsSession lammps(world, Ranks::all, settings.log_file(), Log::append);
+  prepare_for_stars(lammps, settings.star);
+  lammps.command("read_restart \"{}\"", settings.restart_file().string());
+  return lammps.step();
+}
+
+} // namespace
+
+std::string StarMeltSettings::fingerprint() const {
+  return fmt::format(
+      "{} star (k = {}, l = {}, {}{}), {} molecules, rho = {}, T = {}, Langevin friction {}, "
+      "time step {}, squeezed by {} in {} steps, {} steps of equilibration, a sample every {} steps, a "
+      "checkpoint every {}, seed {}",
+      star.name(), star.k, star.arm_length, star.centre_length, star.repulsion ? ", WCA" : ", no repulsion",
+      molecules, rho, T, friction, dt, squeeze, squeeze_steps, equilibration_steps, sample_every,
+      checkpoint_every, seed);
+}
+
+void check(StarMeltSettings const& settings) {
+  check(settings.star);
+  require(settings.molecules >= 8 && settings.molecules <= 1000000, "molecules", settings.molecules,
+          "must be 8 ... 1000000");
+  require(settings.rho > 0 && settings.rho <= 0.7, "density rho [beads/sigma^3]", settings.rho,
+          "must be in (0, 0.7]");
+  require(settings.T >= 0.1 && settings.T <= 10, "temperature T", settings.T, "must be 0.1 ... 10");
+  require(settings.friction > 0 && settings.friction <= 100, "friction of the thermostat", settings.friction,
+          "must be in (0, 100]");
+  require(settings.dt > 0 && settings.dt <= 0.02, "time step", settings.dt,
+          "must be in (0, 0.02]; the thesis takes 0.001");
+  require(settings.squeeze > 1 && settings.squeeze <= 2, "growth of the density at once", settings.squeeze,
+          "must be in (1, 2]");
+  require(settings.squeeze_steps >= 200, "steps of a squeeze", settings.squeeze_steps,
+          "must be at least 200");
+  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
+          "must be > 0");
+  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
+  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
+          "must be at least the steps between samples");
+  require(settings.sampling_steps % settings.sample_every == 0, "sampling steps", settings.sampling_steps,
+          "must be a multiple of the steps between samples");
+  require(settings.checkpoint_every > 0 && settings.checkpoint_every % settings.sample_every == 0,
+          "steps between checkpoints", settings.checkpoint_every,
+          "must be a multiple of the steps between samples");
+  double const edge = std::cbrt(beads_of(settings) / settings.rho);
+  double const reach = settings.star.centre_length + (settings.star.beads - 1) * settings.star.arm_length;
+  require(edge > 4 * reach, "molecules", settings.molecules,
+          fmt::format("a straight {} star, {:.2f} wide, does not fit into half the box of edge {:.2f}: "
+                      "take more molecules",
+                      settings.star.name(), 2 * reach, edge));
+}
+
+std::vector<MeltStretch> plan(StarMeltSettings const& settings) {
+  std::vector<MeltStretch> stretches;
+  std::int64_t step = 0;
+  auto const add = [&](MeltPhase phase, std::int64_t steps, double rho) {
+    stretches.push_back({.phase = phase, .first_step = step, .steps = steps, .rho = rho});
+    step += steps;
+  };
+  auto const in_pieces = [&](MeltPhase phase, std::int64_t steps) {
+    for (std::int64_t left = steps; left > 0; left -= settings.checkpoint_every)
+      add(phase, std::min(left, settings.checkpoint_every), settings.rho);
+  };
+  double const start = beads_of(settings) / std::pow(lattice_of(settings).edge(), 3);
+  int const growths =
+      std::max(0, int(std::ceil(std::log(settings.rho / start) / std::log(settings.squeeze) - 1e-9)));
+  for (int k = 1; k <= growths; ++k) {
+    double const rho =
+        k == growths ? settings.rho : start * std::pow(settings.rho / start, double(k) / growths);
+    add(MeltPhase::squeeze, settings.squeeze_steps / 2, rho);
+    add(MeltPhase::rest, settings.squeeze_steps - settings.squeeze_steps / 2, rho);
+  }
+  in_pieces(MeltPhase::equilibrate, settings.equilibration_steps);
+  in_pieces(MeltPhase::sample, settings.sampling_steps);
+  return stretches;
+}
+
+std::int64_t frames_of(StarMeltSettings const& settings) {
+  return settings.sampling_steps / settings.sample_every;
+}
+
+bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
+                      StarMeltConsumers const& consumers) {
+  check(settings);
+  auto const stretches = plan(settings);
+  std::int64_t const all_steps = stretches.back().first_step + stretches.back().steps;
+  std::int64_t const done = resume ? step_of_checkpoint(world, settings) : 0;
+  bool const known = done == all_steps || std::any_of(stretches.begin(), stretches.end(),
+                                                      [&](auto const& s) { return s.first_step == done; });
+  if (!known)
+    throw InputError(
+        fmt::format("--resume: the checkpoint '{}' stands at step {}, which this run of {} steps "
+                    "does not pass: resume with a length that is a multiple of {} steps",
+                    settings.restart_file().string(), done, all_steps, settings.checkpoint_every));
+  std::optional<double> first_energy;
+  for (auto const& stretch : stretches)
+    if (stretch.first_step >= done &&
+        !Stretch(world, settings, consumers, stretch, all_steps, first_energy).run())
+      return false;
+  return true;
+}
+
+} // namespace mesobridge::md

@@ -1,0 +1,72 @@
+#pragma once
+#include "md/molecule_atoms.hpp"
+#include "md/star_polymer.hpp"
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mesobridge::md {
+
+/// A melt of stars in Lennard-Jones units: squeezed step by step from a dilute lattice to its density under a
+/// Langevin thermostat, equilibrated, then sampled at constant energy with no total momentum (thesis, section
+/// 3.2).
+struct StarMeltSettings {
+  StarPolymer star;
+  int molecules = 1000;
+  double rho = 0.3;                  ///< beads per sigma^3, (0, 0.7]
+  double T = 1;                      ///< of the thermostat
+  double friction = 1;               ///< of the thermostat [1/time]
+  double dt = 0.001;                 ///< time step
+  double squeeze = 1.3;              ///< the density grows by at most this factor at once
+  std::int64_t squeeze_steps = 1000; ///< of each growth of the density, half of them at rest
+  std::int64_t equilibration_steps = 20000;
+  std::int64_t sampling_steps = 300000;  ///< at constant energy
+  std::int64_t sample_every = 100;       ///< steps
+  std::int64_t checkpoint_every = 10000; ///< steps, a multiple of sample_every
+  std::uint64_t seed = 1;
+  std::filesystem::path directory = "."; ///< exists; gets LAMMPS's log and the checkpoint
+
+  std::filesystem::path log_file() const { return directory / "lammps.log"; }
+  std::filesystem::path restart_file() const { return directory / "star-melt.restart"; }
+  /// What decides the run, in one line: a run may be resumed by equal settings only (but for its length).
+  std::string fingerprint() const;
+};
+
+enum class MeltPhase { squeeze, rest, equilibrate, sample };
+
+/// A stretch of the run between two checkpoints.
+struct MeltStretch {
+  MeltPhase phase = MeltPhase::sample;
+  std::int64_t first_step = 0, steps = 0;
+  double rho = 0; ///< at its end
+};
+
+/// The whole run, stretch by stretch. Every stretch starts from a checkpoint file, of the unbroken run too,
+/// so that a resumed run equals the unbroken one bit for bit (on as many ranks).
+std::vector<MeltStretch> plan(StarMeltSettings const& settings);
+
+/// Throws InputError that names the quantity when the settings make no sense.
+void check(StarMeltSettings const& settings);
+
+/// Who watches a melt.
+struct StarMeltConsumers {
+  /// Called on every rank with its molecules, at each sample. May be collective.
+  std::function<void(MoleculeFrame const&)> frames;
+  /// Called on every rank when a stretch has ended, before its checkpoint counts: what was sampled so far is
+  /// to be put in safety.
+  std::function<void()> checkpoint;
+  /// Called on rank 0, often, with the steps done and all steps; false stops the run at once.
+  std::function<bool(std::int64_t done, std::int64_t all)> steps;
+};
+
+/// Makes the run, or what is left of it when `resume` and a checkpoint is there. All ranks call it together.
+/// Returns false when a consumer stopped it. Throws InputError, LammpsError, and PhysicsError when the run
+/// became unstable or lost more than 0.01 k_B T a bead of energy.
+bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
+                      StarMeltConsumers const& consumers);
+
+/// The frames that a whole run delivers.
+std::int64_t frames_of(StarMeltSettings const& settings);
+
+} // namespace mesobridge::md

@@ -1,0 +1,40 @@
+#pragma once
+#include "md/lammps_session.hpp"
+#include "md/star_polymer.hpp"
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+namespace mesobridge::md {
+
+/// Many equal stars on a simple cubic lattice in a cubic box, each turned at random. LAMMPS's atom ids are
+/// molecule * atoms + 1 + number in the star.
+struct StarLattice {
+  StarPolymer star;
+  int molecules = 1000;
+  double spacing = 0; ///< [sigma], at least widest_spacing of straight stars
+  std::uint64_t seed = 1;
+
+  int cells() const;   ///< along each edge
+  double edge() const; ///< of the box
+};
+
+/// The lattice spacing at which straight stars cannot touch, however they are turned.
+double touching_free_spacing(StarPolymer const& star);
+
+/// Makes the atoms, bonds and forces of the stars in a fresh session. `data_file` is written on the way and
+/// removed. All ranks must call it.
+void create_stars(MpiWorld const& world, LammpsSession& lammps, StarLattice const& lattice,
+                  std::filesystem::path const& data_file);
+
+/// Sets LAMMPS's units and styles as the stars need them; before create_stars or read_restart.
+void prepare_for_stars(LammpsSession& lammps, StarPolymer const& star);
+
+/// The forces between the beads, for a session whose atoms have just been created or read.
+void set_star_forces(LammpsSession& lammps, StarPolymer const& star);
+
+/// Does some work in LAMMPS. What an unstable run makes LAMMPS say (missing bond atoms, lost atoms) is thrown
+/// as PhysicsError with a hint; `doing` names the run.
+void explained(std::string const& doing, double dt, std::function<void()> const& work);
+
+} // namespace mesobridge::md

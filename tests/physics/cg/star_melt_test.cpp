@@ -1,0 +1,152 @@
+#include "cg/blobs.hpp"
+#include "md/star_melt.hpp"
+#include "tests/unit/md/scratch_folder.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace mesobridge::cg::test {
+namespace {
+
+/// A melt of 64 6-3 stars that runs in a second.
+md::StarMeltSettings small_melt(std::filesystem::path const& directory) {
+  return {.molecules = 64,
+          .rho = 0.2,
+          .squeeze_steps = 400,
+          .equilibration_steps = 1000,
+          .sampling_steps = 600,
+          .sample_every = 100,
+          .checkpoint_every = 300,
+          .seed = 5,
+          .directory = directory};
+}
+
+/// The energy of two beads, written down anew: WCA.
+double wca(double r2) {
+  return r2 < std::cbrt(2.0) ? 4 * (std::pow(r2, -6) - std::pow(r2, -3)) + 1 : 0;
+}
+
+/// The force on a bead at a separation r from another.
+Vec3 wca_force(Vec3 const& r) {
+  double const r2 = norm2(r);
+  return r2 < std::cbrt(2.0) ? r * ((48 * std::pow(r2, -6) - 24 * std::pow(r2, -3)) / r2) : Vec3{};
+}
+
+class StarMeltTest : public ::testing::Test {
+ protected:
+  std::vector<BlobFrame> run(md::StarMeltSettings const& settings, bool resume,
+                             std::optional<std::int64_t> stop_at = {}) {
+    std::vector<BlobFrame> frames, safe;
+    BlobMaker maker(model_of(settings.star));
+    md::sample_star_melt(
+        world_, settings, resume,
+        {.frames =
+             [&](md::MoleculeFrame const& frame) {
+               last_ = frame;
+               frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
+             },
+         .checkpoint = [&] { safe = frames; },
+         .steps = [&](std::int64_t done, std::int64_t) { return !stop_at || done < *stop_at; }});
+    return stop_at ? safe : frames;
+  }
+
+  md::MpiWorld world_;
+  md::test::ScratchFolder folder_;
+  md::MoleculeFrame last_;
+};
+
+TEST_F(StarMeltTest, BlobsAddUpAndAgreeWithAnIndependentSum) {
+  auto const settings = small_melt(folder_.path());
+  auto const frames = run(settings, false);
+  ASSERT_EQ(frames.size(), 6u);
+  for (auto const& frame : frames) {
+    ASSERT_EQ(frame.blobs.size(), 64u);
+    EXPECT_NEAR(total_energy(frame.blobs, 19), frame.energy, 1e-9 * std::abs(frame.energy));
+    EXPECT_NEAR(frame.energy, frames[0].energy, 1e-4 * std::abs(frame.energy)) << "NVE";
+    EXPECT_NEAR(frame.box.volume(), 64 * 19 / 0.2, 1e-6);
+    Vec3 momentum;
+    for (auto const& blob : frame.blobs)
+      momentum += blob.P;
+    EXPECT_LT(norm(momentum), 1e-10);
+  }
+  // Every pair of the last frame by hand.
+  auto const& blobs = frames.back().blobs;
+  auto const bonds = settings.star.bonds();
+  int interactions = 0, molecules = 0;
+  for (std::size_t m = 0; m < 64; ++m, ++molecules) {
+    double inside = 0, outside = 0;
+    Vec3 force;
+    for (std::size_t i = m * 19; i < (m + 1) * 19; ++i)
+      for (std::size_t j = 0; j < last_.q.size(); ++j) {
+        Vec3 const r = last_.box.minimum_image(last_.q[i] - last_.q[j]);
+        bool const same = j / 19 == m;
+        if (i == j || norm2(r) > 1.3)
+          continue;
+        (same ? inside : outside) += wca(norm2(r)) / 2;
+        if (!same)
+          force += wca_force(r), ++interactions;
+      }
+    for (auto const& bond : bonds)
+      inside += 10 * std::pow(norm(last_.box.minimum_image(last_.q[m * 19 + std::size_t(bond.a)] -
+                                                           last_.q[m * 19 + std::size_t(bond.b)])) -
+                                  bond.l,
+                              2);
+    EXPECT_NEAR(blobs[m].U_pot, inside, 1e-9);
+    EXPECT_NEAR(blobs[m].Phi, outside, 1e-9);
+    EXPECT_LT(norm(blobs[m].F - force), 1e-8) << "only other molecules push a centre of mass";
+  }
+  EXPECT_EQ(molecules, 64);
+  EXPECT_GT(interactions, 50) << "the molecules touch";
+}
+
+TEST_F(StarMeltTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
+  auto const unbroken = run(small_melt(folder_.path()), false);
+  md::test::ScratchFolder elsewhere;
+  auto const settings = small_melt(elsewhere.path());
+  std::int64_t const all = md::plan(settings).back().first_step + 300;
+  auto before = run(settings, false, all - 200); // in the middle of the last stretch
+  auto const after = run(settings, true);
+  EXPECT_EQ(before.size(), 3u);
+  before.insert(before.end(), after.begin(), after.end());
+  ASSERT_EQ(before.size(), unbroken.size());
+  for (std::size_t k = 0; k < unbroken.size(); ++k) {
+    EXPECT_EQ(before[k].step, unbroken[k].step);
+    EXPECT_EQ(before[k].energy, unbroken[k].energy);
+    for (std::size_t m = 0; m < 64; ++m) {
+      EXPECT_EQ(before[k].blobs[m].R, unbroken[k].blobs[m].R);
+      EXPECT_EQ(before[k].blobs[m].U_kin, unbroken[k].blobs[m].U_kin);
+    }
+  }
+}
+
+TEST_F(StarMeltTest, AnUnstableTimeStepEndsWithOneClearMessage) {
+  auto settings = small_melt(folder_.path());
+  settings.dt = 0.02;
+  settings.T = 10;
+  std::string text;
+  try {
+    run(settings, false);
+  } catch (PhysicsError const& error) {
+    text = error.what();
+  }
+  EXPECT_NE(text.find("--dt"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.02"), std::string::npos) << text;
+}
+
+TEST(Blobs, AMoleculeAcrossTheBordersIsJoinedAndAWideOneRefused) {
+  BlobMaker maker(model_of({.arms = 2, .beads = 1}));
+  Box const box{{10, 10, 10}};
+  std::vector<Vec3> const v(3), f(3), inside{{5, 5, 5}, {6.5, 5, 5}, {3.5, 5, 5}};
+  auto across = inside;
+  for (Vec3& q : across)
+    q = box.wrap(q + Vec3{5, 5, 5});
+  auto const here = maker.blob(inside, v, f, {}, box), there = maker.blob(across, v, f, {}, box);
+  EXPECT_NEAR(here.U_pot, there.U_pot, 1e-12);
+  EXPECT_NEAR(here.U_pot, 2 * 10 * 0.115 * 0.115, 1e-12);
+  EXPECT_LT(norm(box.minimum_image(there.R - here.R - Vec3{5, 5, 5})), 1e-12);
+  std::vector<Vec3> const wide{{5, 5, 5}, {8, 5, 5}, {2, 5, 5}};
+  EXPECT_THROW(maker.blob(wide, v, f, {}, box), PhysicsError);
+}
+
+} // namespace
+} // namespace mesobridge::cg::test

@@ -1,0 +1,137 @@
+#include "cg/blobs.hpp"
+#include "cg/entropy.hpp"
+#include "md/star_vacuum.hpp"
+#include "tests/unit/md/scratch_folder.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace mesobridge::cg::test {
+namespace {
+
+class StarVacuumTest : public ::testing::Test {
+ protected:
+  std::vector<BlobFrame> run(md::StarVacuumSettings settings) {
+    settings.directory = folder_.path();
+    std::vector<BlobFrame> frames;
+    BlobMaker maker(model_of(settings.star));
+    md::sample_star_vacuum(world_, settings,
+                           {.frames =
+                                [&](md::MoleculeFrame const& frame) {
+                                  last_ = frame;
+                                  frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
+                                },
+                            .steps = {}});
+    return frames;
+  }
+
+  md::MpiWorld world_;
+  md::test::ScratchFolder folder_;
+  md::MoleculeFrame last_;
+};
+
+/// A star of springs of rest length 0 without repulsion has an exact S(U) = (3N - 4) ln U.
+constexpr md::StarPolymer harmonic{
+    .arms = 3, .beads = 2, .k = 20, .arm_length = 0, .centre_length = 0, .repulsion = false};
+
+TEST_F(StarVacuumTest, EveryRouteFindsTheExactEntropyOfAHarmonicStar) {
+  auto const frames = run({.star = harmonic,
+                           .levels = {0.8, 1.25},
+                           .molecules = 200,
+                           .dt = 0.002,
+                           .redraw_every = 200,
+                           .equilibration_steps = 4000,
+                           .sampling_steps = 16000,
+                           .sample_every = 200,
+                           .seed = 3});
+  ASSERT_EQ(frames.size(), 80u);
+  std::vector<EnergySamples> samples;
+  for (std::size_t level = 0; level < 2; ++level) {
+    EnergySamples set{.beta = level == 0 ? 1 / 0.8 : 1 / 1.25,
+                      .U = std::vector<std::vector<double>>(20, std::vector<double>{}),
+                      .U_kin = std::vector<std::vector<double>>(20, std::vector<double>{}),
+                      .beta_without = {}};
+    for (std::size_t m = level; m < 200; m += 2)
+      for (auto const& frame : frames) {
+        EXPECT_LT(norm(frame.blobs[m].P), 1e-10) << "the centre of mass stays";
+        set.U[m / 2 % 20].push_back(frame.blobs[m].U());
+        set.U_kin[m / 2 % 20].push_back(frame.blobs[m].U_kin);
+      }
+    samples.push_back(std::move(set));
+  }
+  int const atoms = harmonic.atoms();
+  double const n = 3 * atoms - 3;
+  int cases = 0;
+  for (auto route : {EntropyRoute::density, EntropyRoute::kinetic}) {
+    auto const fit = fit_entropy(samples, route, atoms, {.order = 2});
+    auto const T = fit.estimate([](auto const& c) { return c.T(17); });
+    auto const C = fit.estimate([](auto const& c) { return c.C(17); });
+    EXPECT_TRUE(agrees(T, 17 / (n - 1), 4)) << T.mean << " +- " << T.se << " for " << 17 / (n - 1);
+    EXPECT_TRUE(agrees(C, n - 1, 4)) << C.mean << " +- " << C.se << " for " << n - 1;
+    EXPECT_LT(C.se, 0.05 * n);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 2);
+  Equipartition const equipartition(samples, atoms);
+  EXPECT_TRUE(agrees(equipartition.T(17), 17.0 / (3 * atoms), 4)) << "low by the predicted part";
+  EXPECT_FALSE(agrees(equipartition.T(17), 17 / (n - 1), 8));
+}
+
+TEST_F(StarVacuumTest, TheAngularMomentumTakesPartInTheEquilibrium) {
+  auto const frames = run({.levels = {1.0},
+                           .molecules = 216,
+                           .dt = 0.002,
+                           .redraw_every = 250,
+                           .equilibration_steps = 500,
+                           .sampling_steps = 500,
+                           .sample_every = 250});
+  // <L . I^-1 . L> = 3 T. For a star I is nearly round: I = (2/3) sum r^2.
+  double sum = 0;
+  for (int m = 0; m < 216; ++m) {
+    Vec3 L;
+    double r2 = 0;
+    Vec3 const first = last_.q[std::size_t(m) * 19], centre = [&] {
+      Vec3 mean;
+      for (std::size_t i = 0; i < 19; ++i)
+        mean += last_.box.minimum_image(last_.q[std::size_t(m) * 19 + i] - first) / 19;
+      return mean;
+    }();
+    for (std::size_t i = std::size_t(m) * 19; i < std::size_t(m + 1) * 19; ++i) {
+      Vec3 const r = last_.box.minimum_image(last_.q[i] - first) - centre, v = last_.v[i];
+      L += Vec3{r.y * v.z - r.z * v.y, r.z * v.x - r.x * v.z, r.x * v.y - r.y * v.x};
+      r2 += norm2(r);
+    }
+    sum += norm2(L) / (2.0 / 3 * r2);
+  }
+  EXPECT_NEAR(sum / 216, 3.0, 0.5) << "0 would mean that it is frozen";
+}
+
+TEST_F(StarVacuumTest, SetEnergiesAreKept) {
+  auto const frames = run({.ensemble = md::VacuumEnsemble::microcanonical,
+                           .levels = {32, 45},
+                           .molecules = 64,
+                           .equilibration_steps = 2000,
+                           .sampling_steps = 2000,
+                           .sample_every = 500});
+  ASSERT_EQ(frames.size(), 4u);
+  int molecules = 0;
+  for (auto const& frame : frames)
+    for (std::size_t m = 0; m < 64; ++m, ++molecules) {
+      EXPECT_NEAR(frame.blobs[m].U(), m % 2 == 0 ? 32 : 45, 0.01);
+      EXPECT_NEAR(frame.blobs[m].Phi, 0, 1e-9);
+    }
+  EXPECT_EQ(molecules, 256);
+}
+
+TEST_F(StarVacuumTest, AnEnergyBelowThePotentialOneIsRefused) {
+  // Springs of rest length 0, stretched as they start.
+  EXPECT_THROW(run({.star = harmonic,
+                    .ensemble = md::VacuumEnsemble::microcanonical,
+                    .levels = {1},
+                    .molecules = 8,
+                    .equilibration_steps = 10,
+                    .sampling_steps = 500}),
+               PhysicsError);
+}
+
+} // namespace
+} // namespace mesobridge::cg::test

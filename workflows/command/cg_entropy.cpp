@@ -1,0 +1,60 @@
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/star/blob_analysis.hpp"
+#include "workflows/summary.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::optional<std::filesystem::path> melt, vacuum, microcanonical;
+  std::size_t order = 3;
+};
+
+Result entropy(Options const& options, Context const& context) {
+  EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
+  Provenance provenance{
+      .command = context.command_line(), .seed = context.options.seed.value_or(0), .scene = "", .inputs = {}};
+  auto const load = [&](std::optional<std::filesystem::path> const& file, std::optional<BlobData>& into) {
+    if (!file)
+      return;
+    into = read_blobs(*file);
+    provenance.inputs.push_back(*file);
+  };
+  load(options.melt, inputs.melt);
+  load(options.vacuum, inputs.vacuum);
+  load(options.microcanonical, inputs.microcanonical);
+  auto const routes = entropy_routes(inputs);
+  auto const directory = context.output_directory("out/entropy");
+  Result result;
+  result.json = entropy_json(routes);
+  result.json["units"] = "reduced Lennard-Jones, k_B = 1, per molecule";
+  result.json["provenance"] = provenance_json(provenance);
+  auto const file = directory / "entropy.json";
+  write_summary(file, result.json);
+  result.text = entropy_text(routes) + file.string();
+  return result;
+}
+
+} // namespace
+
+Command cg_entropy_command() {
+  return {
+      .name = "cg entropy",
+      .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
+      .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",
+      .declare = [](CLI::App& app) -> Command::Action {
+        auto options = std::make_shared<Options>();
+        app.add_option("--melt", options->melt, "What `md star-melt` wrote")->type_name("FILE.h5");
+        app.add_option("--vacuum", options->vacuum, "What `md star-vacuum --T` wrote")->type_name("FILE.h5");
+        app.add_option("--vacuum-nve", options->microcanonical,
+                       "What `md star-vacuum --U` wrote: the thesis's estimator uses it")
+            ->type_name("FILE.h5");
+        app.add_option("--order", options->order, "Terms of S(ln U), 1 ... 5 (default 3)");
+        return [options](Context& context) { return entropy(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows

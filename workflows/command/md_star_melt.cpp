@@ -1,0 +1,62 @@
+#include "md/error.hpp"
+#include "workflows/command/list.hpp"
+#include "workflows/star/melt_summary.hpp"
+#include "workflows/star/sample_melt.hpp"
+#include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  std::string star = "6-3";
+  md::StarMeltSettings settings;
+  bool resume = false;
+  bool started_by_ourselves = false;
+};
+
+Result star_melt(Options const& options, Context const& context) {
+  MeltJob job{.settings = options.settings, .resume = options.resume};
+  job.settings.star = md::star_of_name(options.star);
+  job.settings.seed = context.options.seed.value_or(job.settings.seed);
+  md::check(job.settings); // before any rank starts: bad input is told once
+  job.settings.directory = context.output_directory("out/star-melt");
+  sample_melt_on_ranks(job, context);
+  if (options.started_by_ourselves || !md::MpiWorld().is_root())
+    return {.json = {}, .text = "", .complaint = "", .silent = true};
+  Result result;
+  result.json = Json::parse(read_text_file(job.summary()));
+  result.text = melt_text(result.json);
+  return result;
+}
+
+} // namespace
+
+Command md_star_melt_command() {
+  return {
+      .name = "md star-melt",
+      .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
+      .example = "mesobridge md star-melt --star 6-3 --rho 0.3 -o out/melt",
+      .declare = [](CLI::App& app) -> Command::Action {
+        auto options = std::make_shared<Options>();
+        auto& s = options->settings;
+        app.add_option("--star", options->star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
+        app.add_option("--molecules", s.molecules, "Number of stars (default 1000)");
+        app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
+        app.add_option("--T", s.T, "Temperature of the thermostat (default 1)");
+        app.add_option("--friction", s.friction, "Friction of the thermostat (default 1)");
+        app.add_option("--dt", s.dt, "Time step (default 0.001)");
+        app.add_option("--squeeze-steps", s.squeeze_steps, "Steps of each growth of the density");
+        app.add_option("--equilibration-steps", s.equilibration_steps, "Steps at the final density");
+        app.add_option("--sampling-steps", s.sampling_steps, "Steps at constant energy");
+        app.add_option("--sample-every", s.sample_every, "Steps between frames (default 100)");
+        app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
+        app.add_flag("--resume", options->resume, "Go on from the checkpoint in the output folder");
+        app.add_flag("--started-by-ourselves", options->started_by_ourselves)
+            ->group(""); // for run_on_ranks only
+        return [options](Context& context) { return star_melt(*options, context); };
+      }};
+}
+
+} // namespace mesobridge::workflows

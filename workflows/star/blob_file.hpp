@@ -1,0 +1,61 @@
+#pragma once
+#include "cg/blobs.hpp"
+#include "workflows/provenance.hpp"
+#include "workflows/store/store.hpp"
+#include <optional>
+
+namespace mesobridge::workflows {
+
+/// What a file of blobs says about itself.
+struct BlobFileHead {
+  std::string kind;        ///< "melt", "vacuum canonical", "vacuum microcanonical", "trajectory"
+  std::string name;        ///< of the molecules, "6-3"
+  std::string fingerprint; ///< of the settings that decide the run
+  int molecules = 0;
+  int atoms = 0; ///< of a molecule
+  double mass = 0;
+  double rho = 0;          ///< atoms per volume; 0: isolated molecules
+  double T = 0;            ///< of the thermostat; 0: none or several
+  std::vector<double> set; ///< vacuum: the temperature (or the energy) set for each molecule
+};
+
+/// A time series of blobs: frames/step, time, box, energy, pressure; blobs/R, P, F, U_kin, U_pot, Phi, one
+/// row a frame.
+class BlobFile {
+ public:
+  BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance);
+  /// Opens the file of a run to be resumed. Throws InputError when its fingerprint is another.
+  static BlobFile continue_file(std::filesystem::path const& file, std::string const& fingerprint);
+
+  /// Appends what of the frames the file does not hold yet (a run that was killed may have left any part of
+  /// them) and flushes.
+  void append(std::span<cg::BlobFrame const> frames);
+  std::size_t frames() const; ///< complete ones
+  void close();
+
+ private:
+  explicit BlobFile(Store store) : store_(std::move(store)) {}
+  void append_column(std::string const& path, std::span<double const> row, std::size_t frame,
+                     Store::Shape const& shape);
+
+  Store store_;
+  std::optional<std::size_t> next_; ///< number of the frame that is appended next
+};
+
+/// All blobs of a file, column by column: number frame * molecules + molecule.
+struct BlobData {
+  BlobFileHead head;
+  std::vector<std::int64_t> steps;
+  std::vector<double> times, energies, pressures;
+  std::vector<Box> boxes;
+  std::vector<Vec3> R, P;
+  std::vector<double> U_kin, U_pot, Phi;
+
+  std::size_t frames() const { return times.size(); }
+  double U(std::size_t k) const { return U_kin[k] + U_pot[k]; }
+};
+
+/// Throws InputError if the file is missing or holds something else.
+BlobData read_blobs(std::filesystem::path const& file);
+
+} // namespace mesobridge::workflows

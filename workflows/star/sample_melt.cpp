@@ -1,0 +1,160 @@
+#include "workflows/star/sample_melt.hpp"
+#include "workflows/h5md.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/ranks.hpp"
+#include "workflows/star/blob_file.hpp"
+#include "workflows/star/melt_summary.hpp"
+#include "workflows/summary.hpp"
+#include <optional>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+BlobFileHead head_of(md::StarMeltSettings const& settings, double mass) {
+  return {.kind = "melt",
+          .name = settings.star.name(),
+          .fingerprint = settings.fingerprint(),
+          .molecules = settings.molecules,
+          .atoms = settings.star.atoms(),
+          .mass = mass,
+          .rho = settings.rho,
+          .T = settings.T,
+          .set = {}};
+}
+
+/// Rank 0's files: the blobs and the trajectory of their centres. Frames are held back until the stretch of
+/// the run that made them is complete.
+class MeltFiles {
+ public:
+  MeltFiles(MeltJob const& job, double mass, Provenance const& provenance)
+      : blobs_(job.resume && std::filesystem::exists(job.blobs())
+                   ? BlobFile::continue_file(job.blobs(), job.settings.fingerprint())
+                   : BlobFile(job.blobs(), head_of(job.settings, mass), provenance)),
+        mass_(mass) {
+    auto const centres = job.settings.directory / "centres.h5";
+    centres_.emplace(job.resume && std::filesystem::exists(centres)
+                         ? H5mdWriter::continue_file(centres, H5mdWriter::Units::reduced())
+                         : H5mdWriter(centres, H5mdWriter::Units::reduced(), provenance));
+    last_centres_ = centres_->last_step();
+  }
+
+  void hold(cg::BlobFrame frame) { held_.push_back(std::move(frame)); }
+
+  void write() {
+    blobs_.append(held_);
+    for (auto const& frame : held_)
+      if (frame.step > last_centres_)
+        write_centres(frame);
+    held_.clear();
+  }
+
+  void close() {
+    blobs_.close();
+    centres_->close();
+  }
+
+ private:
+  void write_centres(cg::BlobFrame const& frame) {
+    std::vector<Vec3> R, V;
+    for (auto const& blob : frame.blobs) {
+      R.push_back(blob.R);
+      V.push_back(blob.P / mass_);
+    }
+    centres_->append(
+        {.step = frame.step, .time = frame.time, .box = frame.box, .positions = R, .velocities = V});
+  }
+
+  BlobFile blobs_;
+  std::optional<H5mdWriter> centres_;
+  std::vector<cg::BlobFrame> held_;
+  double mass_;
+  std::int64_t last_centres_ = -1;
+};
+
+bool run(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
+  cg::BlobMaker maker(cg::model_of(job.settings.star));
+  std::optional<MeltFiles> files;
+  std::optional<Progress> progress;
+  if (world.is_root()) {
+    files.emplace(
+        job, maker.model().mass(),
+        Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
+    progress.emplace(context.progress(
+        fmt::format("melt of {} stars at rho = {}", job.settings.star.name(), job.settings.rho), 1));
+  }
+  md::StarMeltConsumers const consumers{.frames =
+                                            [&](md::MoleculeFrame const& frame) {
+                                              auto blobs = cg::gather_blobs(world, frame, maker.blobs(frame));
+                                              if (files)
+                                                files->hold(std::move(blobs));
+                                            },
+                                        .checkpoint = [&] { return files ? files->write() : void(); },
+                                        .steps =
+                                            [&](std::int64_t done, std::int64_t all) {
+                                              progress->update(double(done) / double(all));
+                                              return !interrupt_requested();
+                                            }};
+  bool const complete = md::sample_star_melt(world, job.settings, job.resume, consumers);
+  if (files)
+    files->close();
+  if (progress && complete)
+    progress->finish();
+  return complete;
+}
+
+} // namespace
+
+void sample_melt(MeltJob const& job, Context const& context) {
+  guard_ranks([&] {
+    md::MpiWorld const world;
+    bool const complete = run(world, job, context);
+    if (!world.is_root())
+      return;
+    if (!complete)
+      throw Interrupted(
+          fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
+    write_summary(job.summary(), melt_summary(job, read_blobs(job.blobs())));
+  });
+}
+
+namespace {
+
+std::vector<std::string> melt_words(MeltJob const& job) {
+  auto const& s = job.settings;
+  std::vector<std::string> words{"md", "star-melt", "--star", s.star.name(), "--started-by-ourselves"};
+  auto const add = [&](char const* option, auto value) {
+    words.emplace_back(option);
+    words.push_back(fmt::format("{}", value));
+  };
+  add("--molecules", s.molecules);
+  add("--rho", s.rho);
+  add("--T", s.T);
+  add("--friction", s.friction);
+  add("--dt", s.dt);
+  add("--squeeze-steps", s.squeeze_steps);
+  add("--equilibration-steps", s.equilibration_steps);
+  add("--sampling-steps", s.sampling_steps);
+  add("--sample-every", s.sample_every);
+  add("--checkpoint-every", s.checkpoint_every);
+  add("--seed", s.seed);
+  add("-o", s.directory.string());
+  if (job.resume)
+    words.emplace_back("--resume");
+  return words;
+}
+
+} // namespace
+
+void sample_melt_on_ranks(MeltJob const& job, Context const& context) {
+  if (must_start_ranks(context)) {
+    auto words = melt_words(job);
+    if (context.options.quiet)
+      words.emplace_back("--quiet");
+    run_on_ranks(ranks_of(context), words);
+  } else {
+    sample_melt(job, context);
+  }
+}
+
+} // namespace mesobridge::workflows

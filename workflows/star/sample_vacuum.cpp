@@ -1,0 +1,168 @@
+#include "workflows/star/sample_vacuum.hpp"
+#include "cg/blobs.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/ranks.hpp"
+#include "workflows/star/blob_file.hpp"
+#include "workflows/summary.hpp"
+#include <cmath>
+#include <optional>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+/// Isolated molecules have no energy with others beyond round-off.
+constexpr double most_Phi = 1e-6;
+
+std::string kind_of(md::StarVacuumSettings const& settings) {
+  return settings.ensemble == md::VacuumEnsemble::canonical ? "vacuum canonical" : "vacuum microcanonical";
+}
+
+BlobFileHead head_of(md::StarVacuumSettings const& settings, double mass) {
+  BlobFileHead head{.kind = kind_of(settings),
+                    .name = settings.star.name(),
+                    .fingerprint = settings.fingerprint(),
+                    .molecules = settings.molecules,
+                    .atoms = settings.star.atoms(),
+                    .mass = mass,
+                    .rho = 0,
+                    .T = 0,
+                    .set = {}};
+  for (int m = 0; m < settings.molecules; ++m)
+    head.set.push_back(settings.level(m));
+  return head;
+}
+
+void refuse_neighbours(cg::BlobFrame const& frame) {
+  for (std::size_t m = 0; m < frame.blobs.size(); ++m)
+    if (std::abs(frame.blobs[m].Phi) > most_Phi)
+      throw PhysicsError(
+          fmt::format("molecule {} has left its cell by step {} and met another (Phi = {:.3g}): "
+                      "the temperature or the time step is too high",
+                      m, frame.step, frame.blobs[m].Phi));
+}
+
+bool run(md::MpiWorld const& world, VacuumJob const& job, Context const& context) {
+  cg::BlobMaker maker(cg::model_of(job.settings.star));
+  std::optional<BlobFile> file;
+  std::optional<Progress> progress;
+  std::vector<cg::BlobFrame> held;
+  constexpr std::size_t batch = 50; // frames between two visits to the disk
+  if (world.is_root()) {
+    file.emplace(
+        job.blobs(), head_of(job.settings, maker.model().mass()),
+        Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
+    progress.emplace(context.progress(
+        fmt::format("isolated {} stars, {}", job.settings.star.name(), kind_of(job.settings)), 1));
+  }
+  bool const complete = md::sample_star_vacuum(world, job.settings,
+                                               {.frames =
+                                                    [&](md::MoleculeFrame const& frame) {
+                                                      auto blobs =
+                                                          cg::gather_blobs(world, frame, maker.blobs(frame));
+                                                      if (!file)
+                                                        return;
+                                                      refuse_neighbours(blobs);
+                                                      held.push_back(std::move(blobs));
+                                                      if (held.size() == batch) {
+                                                        file->append(held);
+                                                        held.clear();
+                                                      }
+                                                    },
+                                                .steps =
+                                                    [&](std::int64_t done, std::int64_t all) {
+                                                      progress->update(double(done) / double(all));
+                                                      return !interrupt_requested();
+                                                    }});
+  if (file) {
+    file->append(held);
+    file->close();
+  }
+  if (progress && complete)
+    progress->finish();
+  return complete;
+}
+
+Json summary_of(VacuumJob const& job) {
+  auto const data = read_blobs(job.blobs());
+  Json json{{"file", job.blobs().string()},        {"units", "reduced Lennard-Jones"},
+            {"star", job.settings.star.name()},    {"ensemble", kind_of(job.settings)},
+            {"molecules", job.settings.molecules}, {"frames", data.frames()},
+            {"seed", job.settings.seed},           {"settings", job.settings.fingerprint()}};
+  json["levels"] = Json::array();
+  for (std::size_t k = 0; k < job.settings.levels.size(); ++k) {
+    std::vector<double> U, U_kin; // of each molecule: they are independent
+    for (std::size_t m = k; m < std::size_t(data.head.molecules); m += job.settings.levels.size()) {
+      double sum = 0, sum_kin = 0;
+      for (std::size_t frame = 0; frame < data.frames(); ++frame) {
+        std::size_t const at = frame * std::size_t(data.head.molecules) + m;
+        sum += data.U(at), sum_kin += data.U_kin[at];
+      }
+      U.push_back(sum / double(data.frames())), U_kin.push_back(sum_kin / double(data.frames()));
+    }
+    Json level{{"set", job.settings.levels[k]}};
+    if (U.size() >= 16) {
+      put(level, "U_mean", cg::estimate_mean(U));
+      put(level, "U_kin_mean", cg::estimate_mean(U_kin));
+    }
+    json["levels"].push_back(std::move(level));
+  }
+  return json;
+}
+
+std::vector<std::string> vacuum_words(VacuumJob const& job) {
+  auto const& s = job.settings;
+  std::vector<std::string> words{"md", "star-vacuum", "--star", s.star.name(), "--started-by-ourselves"};
+  words.emplace_back(s.ensemble == md::VacuumEnsemble::canonical ? "--T" : "--U");
+  for (double level : s.levels)
+    words.push_back(fmt::format("{}", level));
+  auto const add = [&](char const* option, auto value) {
+    words.emplace_back(option);
+    words.push_back(fmt::format("{}", value));
+  };
+  add("--molecules", s.molecules);
+  add("--dt", s.dt);
+  add("--redraw-every", s.redraw_every);
+  add("--equilibration-steps", s.equilibration_steps);
+  add("--sampling-steps", s.sampling_steps);
+  add("--sample-every", s.sample_every);
+  add("--seed", s.seed);
+  add("-o", s.directory.string());
+  return words;
+}
+
+} // namespace
+
+std::filesystem::path VacuumJob::blobs() const {
+  return settings.directory /
+         (settings.ensemble == md::VacuumEnsemble::canonical ? "vacuum.h5" : "vacuum-nve.h5");
+}
+
+std::filesystem::path VacuumJob::summary() const {
+  return std::filesystem::path(blobs()).replace_extension(".json");
+}
+
+void sample_vacuum(VacuumJob const& job, Context const& context) {
+  guard_ranks([&] {
+    md::MpiWorld const world;
+    bool const complete = run(world, job, context);
+    if (!world.is_root())
+      return;
+    if (!complete)
+      throw Interrupted("interrupted; the run of isolated molecules starts anew next time");
+    write_summary(job.summary(), summary_of(job));
+  });
+}
+
+void sample_vacuum_on_ranks(VacuumJob const& job, Context const& context) {
+  if (must_start_ranks(context)) {
+    auto words = vacuum_words(job);
+    if (context.options.quiet)
+      words.emplace_back("--quiet");
+    run_on_ranks(ranks_of(context), words);
+  } else {
+    sample_vacuum(job, context);
+  }
+}
+
+} // namespace mesobridge::workflows
