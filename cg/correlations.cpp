@@ -295,6 +295,11 @@ Correlations correlations(BlobSeries const& series, CorrelationSettings const& s
   result.D = {factor * result.tau_P.tau, factor * result.tau_P.se, double(result.blocks)};
   double const volume = series.boxes.front().volume() / double(series.molecules);
   result.tau_R = std::pow(volume, 2.0 / 3) / (6 * result.D.mean);
+  for (std::size_t m = 0; m < series.molecules; ++m) { // the first frame
+    result.K_snapshot.push_back(series.K(m));
+    result.U_snapshot.push_back(series.U[m]);
+    result.density_snapshot.push_back(pairs.densities()[m]);
+  }
   add_tests(result);
   return result;
 }

@@ -59,6 +59,8 @@ struct Correlations {
   Profile pair_energy;  ///< <U1 U2>^r/<U>^2
   double contact = 0;   ///< the first bin of pair_energy ends here: it holds the nearest pairs
   Profile U_of_density; ///< <U>^rho / <U> - 1 against rho
+  /// One instant of all molecules: translational energy, intrinsic energy, local density.
+  std::vector<double> K_snapshot, U_snapshot, density_snapshot;
   std::vector<KeyTest> tests;
 };
 

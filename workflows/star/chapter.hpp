@@ -1,0 +1,45 @@
+#pragma once
+#include "cg/correlations.hpp"
+#include "md/lj_fluid.hpp"
+#include "workflows/report/report.hpp"
+#include "workflows/star/blob_analysis.hpp"
+#include "workflows/star/sample_melt.hpp"
+#include "workflows/star/sample_vacuum.hpp"
+
+namespace mesobridge::workflows {
+
+/// The runs that chapter 3 of the thesis takes.
+struct ChapterPlan {
+  struct Molecule {
+    md::StarPolymer star;
+    std::vector<double> densities; ///< the first one is told in full
+  };
+  std::vector<Molecule> molecules;
+  md::StarMeltSettings melt;     ///< but for star, density, directory
+  md::StarVacuumSettings vacuum; ///< but for star, levels of energy, directory
+  std::int64_t microcanonical_steps = 0;
+};
+ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed);
+
+/// One melt and what came of it.
+struct ChapterMelt {
+  md::StarPolymer star;
+  double rho = 0;
+  cg::Correlations correlations;
+  EntropyRoutes entropy;
+  Json run; ///< the summary of the MD
+};
+
+/// Everything measured for the chapter.
+struct Chapter {
+  std::vector<ChapterMelt> melts; ///< the first one is 6-3 at rho = 0.3
+};
+
+/// Makes the runs that are not there yet (an interrupted one goes on from its checkpoint) and analyses them.
+Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& directory, Context const& context);
+
+Json chapter_summary(Chapter const& chapter);
+/// The report without its provenance.
+Report chapter_report(Chapter const& chapter);
+
+} // namespace mesobridge::workflows

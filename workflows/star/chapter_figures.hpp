@@ -1,0 +1,20 @@
+#pragma once
+#include "workflows/report/plot.hpp"
+#include "workflows/star/chapter.hpp"
+
+namespace mesobridge::workflows {
+
+/// The figures of chapter 3, by their numbers in the thesis.
+Plot figure_3_2(ChapterMelt const& melt);
+Plot figure_3_3(ChapterMelt const& melt);
+Plot figure_3_4(ChapterMelt const& melt);
+std::string figure_3_5(ChapterMelt const& melt);                                            ///< drawn
+Plot entropy_figure(std::string const& name, std::vector<ChapterMelt const*> const& melts); ///< 3.6, 3.14
+Plot figure_3_7(std::vector<ChapterMelt const*> const& melts);
+Plot figure_3_8(std::vector<ChapterMelt const*> const& melts);
+Plot radial_figure(std::string const& name, std::vector<ChapterMelt const*> const& melts); ///< 3.9, 3.13
+Plot figure_3_10(ChapterMelt const& melt);
+Plot figure_3_11(ChapterMelt const& melt);
+Plot figure_3_12(ChapterMelt const& melt);
+
+} // namespace mesobridge::workflows
