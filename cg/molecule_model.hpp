@@ -17,6 +17,14 @@ class PairLaw {
 
   /// At the squared distance r2 > 0; 0 beyond the cut-off.
   double energy(double r2) const { return r2 < cutoff_2_ ? unshifted(r2) - shift_ : 0; }
+  /// -dV/dr/r at the squared distance r2 > 0.
+  double force_over_r(double r2) const {
+    if (r2 >= cutoff_2_)
+      return 0;
+    double const s2 = sigma_2_ / r2, s6 = s2 * s2 * s2;
+    return 24 * epsilon_ * (2 * s6 * s6 - s6) / r2;
+  }
+  double cutoff() const { return std::sqrt(cutoff_2_); }
 
  private:
   double unshifted(double r2) const {

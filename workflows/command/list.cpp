@@ -12,6 +12,7 @@ std::vector<Command> commands() {
       md_star_melt_command(),
       md_star_vacuum_command(),
       cg_state_grid_command(),
+      cg_blobs_command(),
       cg_correlations_command(),
       cg_entropy_command(),
       fit_lj_bwr_command(),
@@ -35,6 +36,7 @@ std::vector<Command> commands() {
       check_command(),
       bench_engine_command(),
       bench_eos_command(),
+      bench_blobs_command(),
       doctor_command(),
   };
 }

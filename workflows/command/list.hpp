@@ -35,6 +35,8 @@ Command run_command();
 Command workflow_lj_to_sdpd_command();
 Command bench_engine_command();
 Command bench_eos_command();
+Command bench_blobs_command();
+Command cg_blobs_command();
 Command doctor_command();
 
 } // namespace mesobridge::workflows

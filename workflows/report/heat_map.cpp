@@ -3,6 +3,7 @@
 #include "workflows/report/report.hpp"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace mesobridge::workflows {

@@ -1,0 +1,104 @@
+#include "workflows/star/mapping_file.hpp"
+#include "fitting/toml_reader.hpp"
+#include "workflows/text_file.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr int most_atoms = 100000;
+
+/// A whole number within bounds.
+int whole(double value, std::string const& key, int low, int high) {
+  require(value == std::floor(value) && value >= low && value <= high, key, value,
+          fmt::format("must be a whole number, {} ... {}", low, high));
+  return int(value);
+}
+
+std::size_t count_of(fitting::TomlReader& table, std::string const& name) {
+  return std::size_t(whole(table.number("count"), name + ".count", 1, most_atoms));
+}
+
+bool yes(fitting::TomlReader& table, char const* key, std::string const& name) {
+  auto const text = table.text(key);
+  require(text == "yes" || text == "no", name + "." + key, text, "must be \"yes\" or \"no\"");
+  return text == "yes";
+}
+
+void read_bonds(fitting::TomlReader table, cg::MoleculeModel& model) {
+  std::size_t const count = count_of(table, "bonds");
+  auto const a = table.numbers("a", count), b = table.numbers("b", count), k = table.numbers("k", count),
+             l = table.numbers("l", count);
+  for (std::size_t i = 0; i < count; ++i) {
+    md::HarmonicBond const bond{whole(a[i], "bonds.a", 1, model.atoms()) - 1,
+                                whole(b[i], "bonds.b", 1, model.atoms()) - 1, k[i], l[i]};
+    require(bond.a != bond.b, "bonds.b", b[i], "must be another atom than bonds.a");
+    require(bond.k > 0, "bonds.k", bond.k, "must be > 0");
+    require(bond.l >= 0, "bonds.l", bond.l, "must be >= 0");
+    model.bonds.push_back(bond);
+  }
+  table.refuse_unknown();
+}
+
+void read_pairs(fitting::TomlReader table, cg::MoleculeModel& model) {
+  std::size_t const count = count_of(table, "pairs");
+  auto const type_a = table.numbers("type_a", count), type_b = table.numbers("type_b", count),
+             epsilon = table.numbers("epsilon", count), sigma = table.numbers("sigma", count),
+             cutoff = table.numbers("cutoff", count);
+  bool const shifted = yes(table, "shifted", "pairs");
+  for (std::size_t i = 0; i < count; ++i) {
+    int const a = whole(type_a[i], "pairs.type_a", 1, model.type_count) - 1,
+              b = whole(type_b[i], "pairs.type_b", 1, model.type_count) - 1;
+    require(sigma[i] > 0, "pairs.sigma", sigma[i], "must be > 0");
+    require(cutoff[i] > 0, "pairs.cutoff", cutoff[i], "must be > 0");
+    cg::PairLaw const law(epsilon[i], sigma[i], cutoff[i], shifted);
+    model.pairs[std::size_t(a * model.type_count + b)] = law;
+    model.pairs[std::size_t(b * model.type_count + a)] = law;
+  }
+  if (!yes(table, "bonded", "pairs"))
+    for (auto const& bond : model.bonds)
+      model.excluded.emplace_back(std::min(bond.a, bond.b), std::max(bond.a, bond.b));
+  table.refuse_unknown();
+}
+
+Mapping read(fitting::TomlReader& reader) {
+  if (auto const format = reader.text("format"); format != "mesobridge mapping 1")
+    throw InputError(fmt::format("format = '{}': must be \"mesobridge mapping 1\"", format));
+  Mapping mapping{.name = reader.text("name"), .model = {}};
+  auto& model = mapping.model;
+  auto const atoms = std::size_t(whole(reader.number("atoms"), "atoms", 1, most_atoms));
+  model.masses = reader.numbers("masses", atoms);
+  for (double const mass : model.masses)
+    require(mass > 0, "masses", mass, "must be > 0");
+  model.types.assign(atoms, 0);
+  if (reader.has("types")) {
+    auto const types = reader.numbers("types", atoms);
+    for (std::size_t i = 0; i < atoms; ++i)
+      model.types[i] = whole(types[i], "types", 1, 1000) - 1;
+    model.type_count = *std::max_element(model.types.begin(), model.types.end()) + 1;
+  }
+  model.pairs.assign(std::size_t(model.type_count * model.type_count), cg::PairLaw(0, 1, 0, false));
+  if (reader.has("bonds"))
+    read_bonds(reader.table("bonds"), model);
+  if (reader.has("pairs"))
+    read_pairs(reader.table("pairs"), model);
+  reader.refuse_unknown();
+  return mapping;
+}
+
+} // namespace
+
+Mapping read_mapping(std::filesystem::path const& file) {
+  auto const table = fitting::parse_toml(read_text_file(file), file.string());
+  fitting::TomlReader reader(table, file.string());
+  try {
+    return read(reader);
+  } catch (InputError const& error) {
+    std::string const what = error.what();
+    throw InputError(what.starts_with(file.string()) ? what : fmt::format("{}: {}", file.string(), what));
+  }
+}
+
+} // namespace mesobridge::workflows
