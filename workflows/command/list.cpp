@@ -1,5 +1,6 @@
 #include "workflows/command/list.hpp"
 #include "workflows/command/studies.hpp"
+#include "workflows/command/star_commands.hpp"
 
 namespace mesobridge::workflows {
 

@@ -11,11 +11,7 @@ std::vector<Command> commands();
 Command md_lj_grid_command();
 Command md_metal_grid_command();
 Command md_hugoniot_command();
-Command md_star_melt_command();
-Command md_star_vacuum_command();
 Command cg_state_grid_command();
-Command cg_correlations_command();
-Command cg_entropy_command();
 Command fit_lj_bwr_command();
 Command fit_mie_gruneisen_command();
 Command fit_hz_command();
@@ -35,8 +31,6 @@ Command run_command();
 Command workflow_lj_to_sdpd_command();
 Command bench_engine_command();
 Command bench_eos_command();
-Command bench_blobs_command();
-Command cg_blobs_command();
 Command doctor_command();
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/star_commands.hpp"
 #include "workflows/star/sample_vacuum.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>

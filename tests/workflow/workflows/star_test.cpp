@@ -1,0 +1,217 @@
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/process.hpp"
+#include "workflows/star/blob_file.hpp"
+#include "workflows/text_file.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+using tests::ScratchDirectory;
+
+ProcessResult program(std::vector<std::string> words) {
+  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
+  return run_process(words);
+}
+
+/// A dilute melt of eight stars for a few steps: no squeezing, so ranks have no time to part by chaos.
+std::vector<std::string> short_melt(std::filesystem::path const& directory, std::string const& ranks) {
+  return {"md",
+          "star-melt",
+          "--molecules",
+          "27",
+          "--rho",
+          "0.02",
+          "--equilibration-steps",
+          "40",
+          "--sampling-steps",
+          "40",
+          "--sample-every",
+          "20",
+          "--checkpoint-every",
+          "20",
+          "--ranks",
+          ranks,
+          "-o",
+          directory.string(),
+          "--json",
+          "--quiet"};
+}
+
+TEST(StarCommands, BlobsDoNotDependOnTheNumberOfRanks) {
+  ScratchDirectory const scratch;
+  for (char const* ranks : {"1", "2"}) {
+    auto const result = program(short_melt(scratch / ranks, ranks));
+    ASSERT_EQ(result.status, 0) << result.errors;
+    auto const json = Json::parse(result.output);
+    EXPECT_EQ(json["frames"], 2);
+    EXPECT_LT(json["blob_energy_sum_relative_error_max"], 1e-9);
+  }
+  auto const one = read_blobs(scratch / "1" / "blobs.h5"), two = read_blobs(scratch / "2" / "blobs.h5");
+  ASSERT_EQ(one.R.size(), 2u * 27);
+  ASSERT_EQ(two.R.size(), one.R.size());
+  for (std::size_t k = 0; k < one.R.size(); ++k) {
+    EXPECT_LT(norm(one.boxes[0].minimum_image(one.R[k] - two.R[k])), 1e-9);
+    EXPECT_NEAR(one.U(k), two.U(k), 1e-8);
+    EXPECT_NEAR(one.Phi[k], two.Phi[k], 1e-8);
+  }
+}
+
+TEST(StarCommands, AShortRunIsToldThatItIsTooShort) {
+  ScratchDirectory const scratch;
+  ASSERT_EQ(program(short_melt(scratch / "melt", "1")).status, 0);
+  auto const result = program({"cg", "correlations", (scratch / "melt" / "blobs.h5").string(), "--json"});
+  EXPECT_EQ(result.status, 2) << "two frames have no correlation time";
+  EXPECT_NE(result.errors.find("at least 16"), std::string::npos) << result.errors;
+}
+
+TEST(StarCommands, IsolatedStarsHaveAnEntropy) {
+  ScratchDirectory const scratch;
+  auto const vacuum = program({"md",
+                               "star-vacuum",
+                               "--star",
+                               "3-1",
+                               "--T",
+                               "0.9",
+                               "1.1",
+                               "--molecules",
+                               "64",
+                               "--dt",
+                               "0.004",
+                               "--equilibration-steps",
+                               "1000",
+                               "--sampling-steps",
+                               "10000",
+                               "--sample-every",
+                               "500",
+                               "--ranks",
+                               "1",
+                               "-o",
+                               scratch.path().string(),
+                               "--json",
+                               "--quiet"});
+  ASSERT_EQ(vacuum.status, 0) << vacuum.errors;
+  EXPECT_EQ(Json::parse(vacuum.output)["frames"], 20);
+  auto const result = program({"cg", "entropy", "--vacuum", (scratch / "vacuum.h5").string(), "--order", "2",
+                               "-o", (scratch / "entropy").string(), "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  // Four beads: 9 quadratic momenta and 9 positions that are nearly quadratic.
+  double const C = json["heat_capacity_vacuum"], se = json["heat_capacity_vacuum_se"];
+  EXPECT_GT(C, 4.5);
+  EXPECT_LT(C, 9.0);
+  EXPECT_LT(se, 0.2 * C);
+  double const other = json["heat_capacity_vacuum_kinetic"],
+               other_se = json["heat_capacity_vacuum_kinetic_se"];
+  EXPECT_LT(std::abs(C - other), 4 * std::hypot(se, other_se));
+}
+
+/// Two dumbbells that touch, one across the border of the box.
+char const* const dumbbells = R"(ITEM: TIMESTEP
+100
+ITEM: NUMBER OF ATOMS
+4
+ITEM: BOX BOUNDS pp pp pp
+0 10
+0 10
+0 10
+ITEM: ATOMS id mol type x y z vx vy vz
+3 2 1 1.0 2.0 5.0 0 0 0
+1 1 1 9.5 1.0 5.0 1 0 0
+4 2 1 2.2 2.0 5.0 0 2 0
+2 1 1 0.9 1.0 5.0 -1 0 0
+)";
+
+char const* const dumbbell_mapping = R"(format = "mesobridge mapping 1"
+name = "dumbbell"
+atoms = 2
+masses = [ 1.0, 1.0 ]
+
+[bonds]
+count = 1
+a = [ 1 ]
+b = [ 2 ]
+k = [ 20.0 ]
+l = [ 1.2 ]
+
+[pairs]
+count = 1
+type_a = [ 1 ]
+type_b = [ 1 ]
+epsilon = [ 1.0 ]
+sigma = [ 1.0 ]
+cutoff = [ 1.122462048309373 ]
+shifted = "yes"
+bonded = "yes"
+)";
+
+TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "a.lammpstrj", dumbbells);
+  write_text_file(scratch / "map.toml", dumbbell_mapping);
+  auto const words = std::vector<std::string>{"cg",
+                                              "blobs",
+                                              (scratch / "a.lammpstrj").string(),
+                                              "--mapping",
+                                              (scratch / "map.toml").string(),
+                                              "-o",
+                                              scratch.path().string(),
+                                              "--json"};
+  auto const result = program(words);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const data = read_blobs(scratch / "blobs.h5");
+  ASSERT_EQ(data.R.size(), 2u);
+  EXPECT_NEAR(data.R[0].x, 0.2, 1e-12) << "across the border";
+  EXPECT_NEAR(data.U_kin[0], 1.0, 1e-12);
+  EXPECT_NEAR(data.U_pot[0], 10 * 0.2 * 0.2, 1e-12);
+  EXPECT_NEAR(data.P[1].y, 2.0, 1e-12);
+  EXPECT_NEAR(data.U_kin[1], 1.0, 1e-12);
+  // Atoms 2 and 3 are sqrt(0.01 + 1) apart, no others touch.
+  double const s6 = std::pow(1.01, -3), wca = 4 * (s6 * s6 - s6) + 1;
+  EXPECT_NEAR(data.Phi[0], wca / 2, 1e-9);
+  EXPECT_NEAR(data.Phi[1], wca / 2, 1e-9);
+}
+
+TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "a.lammpstrj", dumbbells);
+  std::string three = dumbbell_mapping;
+  three.replace(three.find("atoms = 2"), 9, "atoms = 3");
+  three.replace(three.find("[ 1.0, 1.0 ]"), 12, "[ 1.0, 1.0, 1.0 ]");
+  write_text_file(scratch / "three.toml", three);
+  std::string unknown = dumbbell_mapping;
+  write_text_file(scratch / "unknown.toml", unknown + "colour = \"red\"\n");
+  struct Case {
+    std::vector<std::string> words;
+    int status;
+    std::string said;
+  };
+  auto const dump = (scratch / "a.lammpstrj").string();
+  std::vector<Case> const cases{
+      {{"md", "star-melt", "--star", "6x3"}, 2, "6-3"},
+      {{"md", "star-melt", "--star", "13-3"}, 2, "1 ... 12"},
+      {{"md", "star-melt", "--rho", "2"}, 2, "rho"},
+      {{"md", "star-melt", "--molecules", "20", "--rho", "0.5"}, 2, "more molecules"},
+      {{"md", "star-vacuum", "--T", "-1"}, 2, "must be > 0"},
+      {{"cg", "blobs", dump, "--mapping", (scratch / "three.toml").string()}, 2, "1 atoms are left out"},
+      {{"cg", "blobs", dump, "--mapping", (scratch / "unknown.toml").string()}, 2, "colour"},
+      {{"cg", "blobs", (scratch / "none").string(), "--mapping", (scratch / "three.toml").string()},
+       2,
+       "none"},
+      {{"cg", "correlations", (scratch / "none.h5").string()}, 2, "none.h5"},
+      {{"cg", "entropy"}, 2, "--melt"}};
+  for (auto const& [words, status, said] : cases) {
+    auto all = words;
+    all.insert(all.end(), {"-o", (scratch / "out").string()});
+    auto const result = program(all);
+    EXPECT_EQ(result.status, status) << words[1] << ": " << result.errors;
+    EXPECT_NE(result.errors.find(said), std::string::npos) << result.errors;
+  }
+  EXPECT_EQ(cases.size(), 10u);
+}
+
+} // namespace
+
+} // namespace mesobridge::workflows
