@@ -54,18 +54,19 @@ struct Correlations {
   double C_KU_expected = 0; ///< what a fixed total energy makes of independent K and U
   Profile P_x, P_U;         ///< probability densities
   RelativeErrorMap map;
-  Profile g, u;         ///< radial distribution of the centres and its energy-weighted twin
-  Profile u_minus_g;    ///< their difference, whose error is far below those of the two
-  Profile pair_energy;  ///< <U1 U2>^r/<U>^2
-  double contact = 0;   ///< the first bin of pair_energy ends here: it holds the nearest pairs
-  Profile U_of_density; ///< <U>^rho / <U> - 1 against rho
+  Profile g, u;            ///< radial distribution of the centres and its energy-weighted twin
+  Profile u_minus_g;       ///< their difference, whose error is far below those of the two
+  Profile pair_energy;     ///< <U1 U2>^r/<U>^2
+  double contact = 0;      ///< where g(r) first reaches 1/2: nearer pairs are in contact
+  Estimate contact_energy; ///< <U1 U2>/<U>^2 of all pairs in contact
+  Profile U_of_density;    ///< <U>^rho / <U> - 1 against rho
   /// One instant of all molecules: translational energy, intrinsic energy, local density.
   std::vector<double> K_snapshot, U_snapshot, density_snapshot;
   std::vector<KeyTest> tests;
 };
 
 /// Throws InputError for a series of fewer than two molecules or without a box, PhysicsError when the run is
-/// shorter than 8 blocks of 10 autocorrelation times.
+/// shorter than 8 blocks of 6 autocorrelation times.
 Correlations correlations(BlobSeries const& series, CorrelationSettings const& settings);
 
 /// Lucy's kernel of range h in three dimensions (thesis, Eq. (1.14)).

@@ -13,6 +13,8 @@ namespace {
 constexpr double farthest = 12;
 /// The innermost bin is widened until it holds this many pairs.
 constexpr double fewest_pairs = 400;
+/// Pairs nearer than where g(r) first reaches this are in contact.
+constexpr double contact_g = 0.5;
 
 double shell(double inner, double outer) {
   return 4 * std::numbers::pi / 3 * (outer * outer * outer - inner * inner * inner);
@@ -88,17 +90,33 @@ void PairStatistics::radial_into(std::vector<std::vector<double>> const& sums, C
     for (Profile* profile : {&out.g, &out.u, &out.u_minus_g, &out.pair_energy})
       profile->x.push_back((inner + outer) / 2);
   }
+  Sums whole(sums[0].size(), 0.0);
+  for (auto const& block : sums)
+    std::transform(whole.begin(), whole.end(), block.begin(), whole.begin(), std::plus{});
+  std::size_t in_contact = 0; // joined bins
+  for (std::size_t bin = 0; in_contact < ends.size(); ++in_contact) {
+    double pairs = 0;
+    for (; bin < ends[in_contact]; ++bin)
+      pairs += whole[2 * bin];
+    if (pairs / (whole[whole.size() - 2] * ideal[in_contact]) >= contact_g)
+      break;
+  }
+  in_contact = std::max<std::size_t>(1, in_contact);
   auto const estimates = jackknife(sums, [&](Sums const& s) {
     // <U> of the same samples, so that its error cancels between the pairs' energies and the norm.
     double const frames = s[s.size() - 2], scale = std::pow(s.back() / (frames * n), 2);
     std::vector<double> result;
+    double near_pairs = 0, near_energies = 0;
     for (std::size_t k = 0, bin = 0; k < ends.size(); ++k) {
       double pairs = 0, energies = 0;
       for (; bin < ends[k]; ++bin)
         pairs += s[2 * bin], energies += s[2 * bin + 1] / scale;
       double const g = pairs / (frames * ideal[k]), u = energies / (frames * ideal[k]);
       result.insert(result.end(), {g, u, u - g, pairs > 0 ? energies / pairs : 1});
+      if (k < in_contact)
+        near_pairs += pairs, near_energies += energies;
     }
+    result.push_back(near_pairs > 0 ? near_energies / near_pairs : 1);
     return result;
   });
   for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -107,7 +125,8 @@ void PairStatistics::radial_into(std::vector<std::vector<double>> const& sums, C
     out.u_minus_g.y.push_back(estimates[4 * k + 2]);
     out.pair_energy.y.push_back(estimates[4 * k + 3]);
   }
-  out.contact = double(ends.front()) * settings_.bin_width;
+  out.contact_energy = estimates.back();
+  out.contact = double(ends[in_contact - 1]) * settings_.bin_width;
 }
 
 void PairStatistics::density_into(std::vector<std::pair<std::size_t, std::size_t>> const& blocks,

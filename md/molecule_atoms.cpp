@@ -59,7 +59,8 @@ MoleculeFrame collect_molecules(MpiWorld const& world, LammpsSession& lammps, in
   int const first = first_of(world.rank(), world.size(), molecules);
   MoleculeFrame frame{
       .step = lammps.step(),
-      .time = lammps.thermo("time"),
+      .time =
+          double(lammps.step()) * lammps.thermo("dt"), // LAMMPS's own time begins anew with each checkpoint
       .box = {{lammps.thermo("lx"), lammps.thermo("ly"), lammps.thermo("lz")}},
       .energy = lammps.thermo("etotal"),
       .pressure = lammps.thermo("press"),

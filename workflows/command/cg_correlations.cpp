@@ -58,7 +58,7 @@ Command cg_correlations_command() {
             app.add_option("--density-bins", s.density_bins, "Of <U>^rho (default 12)");
             app.add_option("--map-bins", s.map_bins, "Of the map of P(K,U), along each axis (default 12)");
             app.add_option("--pair-stride", options->pair_stride,
-                           "Frames between those whose pairs are looked at (default: one correlation time)");
+                           "Frames between those whose pairs are looked at (default: an eighth of tau_U)");
             return [options](Context& context) { return correlations(*options, context); };
           }};
 }

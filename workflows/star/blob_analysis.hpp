@@ -14,7 +14,8 @@ cg::BlobSeries series_of(BlobData data);
 /// melt.
 double default_h(BlobFileHead const& head);
 
-/// The frames between those whose pairs are looked at: neighbours in time tell little anew.
+/// The frames between those whose pairs are looked at, an eighth of the energies' memory: nearer frames tell
+/// little anew.
 std::size_t default_pair_stride(cg::BlobSeries const& series);
 
 Json correlations_json(cg::Correlations const& found);

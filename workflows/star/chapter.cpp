@@ -71,7 +71,7 @@ std::vector<double> energies_of(BlobData const& canonical) {
 ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
   ChapterPlan plan{
       .molecules = {{{.arms = 6, .beads = 3}, {0.3}}},
-      .melt = {.molecules = 500, .equilibration_steps = 10000, .sampling_steps = 200000, .seed = seed},
+      .melt = {.molecules = 343, .equilibration_steps = 10000, .sampling_steps = 300000, .seed = seed},
       .vacuum = {.molecules = 600, .equilibration_steps = 5000, .sampling_steps = 60000, .seed = seed},
       .microcanonical_steps = 20000};
   if (preset == md::Preset::quick)
@@ -79,6 +79,7 @@ ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
   plan.molecules = {{{.arms = 6, .beads = 3}, {0.3, 0.1, 0.2, 0.4, 0.5}},
                     {{.arms = 6, .beads = 6}, {0.3}},
                     {{.arms = 6, .beads = 12}, {0.3}}};
+  plan.melt.molecules = 500;
   plan.melt.equilibration_steps = 30000;
   plan.vacuum.sampling_steps = 200000;
   plan.microcanonical_steps = 100000;

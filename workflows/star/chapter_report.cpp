@@ -41,7 +41,7 @@ std::vector<VerdictLine> verdicts(Chapter const& chapter) {
                    fmt::format("farthest bin {:.1f} standard errors off", c.tests[3].in_se),
                    "key approximation", std::abs(c.tests[3].in_se) < 5 ? Verdict::passed : Verdict::noted});
   lines.push_back({fmt::format("<U1 U2>^r/<U>^2 of pairs nearer than {:.2g}", c.contact),
-                   with_error_text(c.pair_energy.y.front()),
+                   with_error_text(c.contact_energy),
                    "not 1: the thesis sees the key approximation fail there", Verdict::noted});
   for (auto const& melt : chapter.melts)
     lines.push_back(heat_capacity_verdict(melt));

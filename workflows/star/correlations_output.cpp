@@ -61,7 +61,7 @@ double default_h(BlobFileHead const& head) {
 
 std::size_t default_pair_stride(cg::BlobSeries const& series) {
   double const tau = cg::memory_time(series.U, series.molecules, series.interval()).tau;
-  return std::max<std::size_t>(1, std::size_t(tau / series.interval()));
+  return std::max<std::size_t>(1, std::size_t(tau / (8 * series.interval())));
 }
 
 Json correlations_json(cg::Correlations const& found) {
@@ -84,6 +84,7 @@ Json correlations_json(cg::Correlations const& found) {
   json["blocks"] = found.blocks;
   json["block_time"] = found.block_time;
   json["contact_r"] = found.contact;
+  put(json, "contact_energy", found.contact_energy);
   json["tests"] = Json::array();
   for (auto const& test : found.tests)
     json["tests"].push_back({{"test", test.name},

@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 namespace {
 
 constexpr std::size_t fewest_blocks = 8, most_blocks = 40, groups_of_molecules = 40;
-constexpr double taus_in_block = 10;
+constexpr double taus_in_block = 6;
 constexpr std::size_t grid_points = 31, bins_of_wham = 60;
 
 void require_kind(BlobData const& data, std::string const& kind) {

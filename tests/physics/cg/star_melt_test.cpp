@@ -112,6 +112,7 @@ TEST_F(StarMeltTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
   for (std::size_t k = 0; k < unbroken.size(); ++k) {
     EXPECT_EQ(before[k].step, unbroken[k].step);
     EXPECT_EQ(before[k].energy, unbroken[k].energy);
+    EXPECT_EQ(before[k].time, double(before[k].step) * settings.dt);
     for (std::size_t m = 0; m < 64; ++m) {
       EXPECT_EQ(before[k].blobs[m].R, unbroken[k].blobs[m].R);
       EXPECT_EQ(before[k].blobs[m].U_kin, unbroken[k].blobs[m].U_kin);

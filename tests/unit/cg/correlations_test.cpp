@@ -57,7 +57,7 @@ TEST(Correlations, IndependentBlobsPassEveryTestWithTheRightNumbers) {
   EXPECT_NEAR(found.tau_U.tau, tau, 5 * found.tau_U.se);
   EXPECT_NEAR(found.tau_P.tau, tau, 5 * found.tau_P.se);
   EXPECT_NEAR(found.tau_rho.tau, interval / 2, 0.01) << "every frame has new positions";
-  EXPECT_GT(found.block_time, 8 * tau);
+  EXPECT_GT(found.block_time, 6 * found.tau_U.tau);
   EXPECT_TRUE(agrees(found.beta, beta, 4)) << found.beta.mean << " +- " << found.beta.se;
   EXPECT_FALSE(agrees(found.beta, 1.05 * beta, 4));
   EXPECT_TRUE(agrees(found.U_mean, U_mean, 4));
