@@ -51,13 +51,13 @@ void freeze(System const& system, Law const& law, double dt, NoiseSource const& 
   auto const pairs = system.neighbours.pairs(number);
   block.copy_in(system, number);
   prepare_pairs(system, law, block, pairs, source, inputs);
-  frozen.resize(pairs.size() + noise_lanes);
+  frozen.resize(pairs.size() + wide_count);
   auto const* const particles = block.particles().data();
   FloatLanes const duration = constant<FloatLanes>(dt);
   for_each_group(pairs, block.size(), [&](LocalPair const* pair, std::size_t first, std::size_t) {
     ParticleLanes const a(load_lines([&](std::size_t l) { return &particles[pair[l].i]; }));
     ParticleLanes const b(load_lines([&](std::size_t l) { return &particles[pair[l].j]; }));
-    InputLanes<Law::across> const input(inputs, first);
+    InputLanes<Law::across, FloatLanes> const input(inputs, first);
     auto const bath =
         law.template bath<FloatLanes>({to_float(a.caloric.T_0), to_float(b.caloric.T_0),
                                        to_float(a.caloric.inverse_C_0), to_float(b.caloric.inverse_C_0)});
