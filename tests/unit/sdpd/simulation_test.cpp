@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, EveryKernel, ::testing::ValuesIn(kernel_names(
 
 TEST(FluctuationAndDissipation, ConservesEnergyAndMomentumToRoundOff) {
   auto system = lj_system(10);
-  auto totals = [&] { return observe(system.particles, system.box, 0, system.boltzmann, 0); };
+  auto totals = [&] { return observe(system); };
   auto const before = totals();
   double moved = 0;
   auto const p = system.particles.p;
