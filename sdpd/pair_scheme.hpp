@@ -4,7 +4,7 @@
 namespace mesobridge::sdpd {
 
 /// How the pairs' fluctuation and dissipation is integrated: see fluctuate().
-enum class PairScheme { ssa, ams, ems, ser, ser_implicit, hybrid };
+enum class PairScheme { ssa, ams, ems, ser, ser_implicit, hybrid, entropy };
 
 /// Steps of pairs since the start, and those that were not made.
 struct PairCounts {

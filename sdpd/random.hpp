@@ -39,7 +39,9 @@ enum class Stream : std::uint32_t {
   second_conduction = 8,
   conduction_acceptance = 9,
   second_conduction_acceptance = 10,
-  bath = 11
+  bath = 11,
+  off_diagonal = 12, ///< of the matrix noise of the entropy form
+  second_off_diagonal = 13
 };
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.

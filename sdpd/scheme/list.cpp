@@ -31,6 +31,7 @@ std::vector<NamedPairScheme> const& pair_schemes() {
       {"ser", PairScheme::ser, "all pairs at once, for short time steps"},
       {"ser-implicit", PairScheme::ser_implicit, "all pairs at once, implicitly"},
       {"hybrid", PairScheme::hybrid, "ssa within eight domains and ser between them"},
+      {"entropy", PairScheme::entropy, "the original form of SDPD, for comparison"},
   };
   return list;
 }

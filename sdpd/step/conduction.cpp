@@ -154,6 +154,7 @@ PairScheme of_conduction(PairScheme scheme) {
   switch (scheme) {
   case PairScheme::ser:
   case PairScheme::hybrid:
+  case PairScheme::entropy:
     return PairScheme::ssa;
   case PairScheme::ser_implicit:
     return PairScheme::ams;

@@ -8,9 +8,9 @@ namespace mesobridge::sdpd {
 /// temperatures that the pair has then. What one particle gains the other loses, so that energy is conserved
 /// to round-off; momenta and densities stay.
 ///
-///   ssa, ser, hybrid    every step is made. Throws PhysicsError when an energy leaves the equation of state.
-///   ams       a step that would lead an energy out of the equation of state is not made.
-///   ems       that, and a Metropolis test which makes the invariant measure exact at any dt: with the heat
+///   ssa, ser, hybrid, entropy    every step is made. Throws PhysicsError when an energy leaves the equation
+///   of state. ams       a step that would lead an energy out of the equation of state is not made. ems that,
+///   and a Metropolis test which makes the invariant measure exact at any dt: with the heat
 ///             delta drawn as mean + s G, and mean', s' those of the step back from the proposed energies,
 ///             accepted with probability min(1, e^a),
 ///                 a = sum_k [(S_k' - S_k)/k_B - ln T_k' + ln T_k] + G^2/2 - (delta + mean')^2/2s'^2 + ln

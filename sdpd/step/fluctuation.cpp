@@ -1,5 +1,6 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
+#include "sdpd/step/fluctuation_entropy.hpp"
 #include "sdpd/step/fluctuation_hybrid.hpp"
 #include "sdpd/step/fluctuation_implicit.hpp"
 #include "sdpd/step/fluctuation_isothermal.hpp"
@@ -329,6 +330,7 @@ void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, boo
     case PairScheme::ser:
     case PairScheme::ser_implicit:
     case PairScheme::hybrid:
+    case PairScheme::entropy:
       break; // made below for every law
     }
 }
@@ -338,6 +340,8 @@ void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, boo
 void fluctuate(System& system, PairScheme scheme, double dt, bool second) {
   if (scheme == PairScheme::ser_implicit)
     return fluctuate_implicit(system, dt, second);
+  if (scheme == PairScheme::entropy)
+    return fluctuate_entropies(system, dt, second);
   if (scheme == PairScheme::hybrid)
     return fluctuate_hybrid(system, dt, second);
   if (scheme == PairScheme::ser)

@@ -14,7 +14,7 @@ namespace mesobridge::sdpd {
 ///   ser  all pairs at once from the velocities and temperatures of the start (explicit Euler), with the heat
 ///        that conserves the energy exactly (Eq. 4.11 corrected). Stable for short time steps only; throws
 ///        PhysicsError when an internal energy leaves the equation of state.
-///   ser_implicit, hybrid  see fluctuate_implicit, fluctuate_hybrid.
+///   ser_implicit, hybrid, entropy  see fluctuate_implicit, fluctuate_hybrid, fluctuate_entropies.
 ///
 /// Needs the caloric expansions of thermodynamics_from_entropy; leaves T behind the energies (call
 /// thermodynamics_from_energy). `second` draws other random numbers: for the second sweep of a step.

@@ -84,11 +84,12 @@ TEST_P(SmoothedParticleHydrodynamics, DampsAShearWaveWithTheSetViscosityAndHeats
   EXPECT_LT(norm(momentum), 1e-12);
 }
 
+constexpr std::array names{"ssa", "ams", "ser", "ser_implicit", "hybrid", "entropy"};
+
 INSTANTIATE_TEST_SUITE_P(Schemes, SmoothedParticleHydrodynamics,
-                         ::testing::Values(PairScheme::ssa, PairScheme::ams, PairScheme::ser),
-                         [](auto const& info) {
-                           return info.index == 0 ? "ssa" : info.index == 1 ? "ams" : "ser";
-                         });
+                         ::testing::Values(PairScheme::ssa, PairScheme::ams, PairScheme::ser,
+                                           PairScheme::ser_implicit, PairScheme::hybrid, PairScheme::entropy),
+                         [](auto const& info) { return names[info.index]; });
 
 TEST(SmoothedParticleHydrodynamicsWithoutFlow, StaysAtRestOnALattice) {
   Simulation simulation(without_noise(argon(100, 0.05), PairScheme::ssa));

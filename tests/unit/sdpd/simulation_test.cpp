@@ -96,6 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
              with_scheme(argon(10, 0.05),
                          {.pairs = PairScheme::ems, .splitting = Splitting::strang, .keep_energy = true})},
         Case{"argon_10_ser_implicit", with_scheme(argon(10, 0.1), {.pairs = PairScheme::ser_implicit})},
+        Case{"argon_100_entropy_form", with_scheme(argon(100, 0.02), {.pairs = PairScheme::entropy})},
         Case{"argon_100_hybrid", with_scheme(argon(100, 0.02), {.pairs = PairScheme::hybrid})},
         Case{"argon_100_that_conducts",
              with_conduction(with_scheme(argon(100, 0.05),

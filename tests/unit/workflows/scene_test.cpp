@@ -109,6 +109,10 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
        "\"2 mPa*s\"\nzeta = \"4 mPa*s\"",
        {"bad.toml:12", "transport.zeta = 0.004", "5 eta / 3"}},
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nzeta = \"-1 mPa*s\"", {"bad.toml:12", "transport.zeta", ">= 0"}},
+      {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = 0.1", {"bad.toml:12", "transport.kappa = 0.1", "W/(m*K)"}},
+      {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = \"-1 W/(m*K)\"", {"bad.toml:12", "transport.kappa", ">= 0"}},
+      {"\"1.5 fs\"", "0.1\nname = \"ems\"\nnoise = \"off\"", {"bad.toml:15", "scheme.noise", "Metropolis"}},
+      {"steps = 100", "steps = 100\nbath_rate = 0", {"bad.toml:16", "run.bath_rate = 0", "> 0"}},
       {"1.5 fs", "-1.5 fs", {"bad.toml:13", "scheme.dt", "> 0"}},
       {"\"1.5 fs\"", "0", {"bad.toml:13", "scheme.dt = 0", "> 0"}},
       {"\"argon\"", "\"argom\"", {"bad.toml:4", "fluid.eos", "did you mean 'argon'"}},
@@ -157,6 +161,8 @@ TEST(Scene, ResolvedSceneReadsBackAsTheSame) {
     scene.particles = {*rc::gen::inRange(125, 1 << 20), 1 + positive(), ideal ? "lucy" : "cubic", 2.5};
     scene.transport.eta = positive();
     scene.transport.zeta = scene.transport.eta * *rc::gen::inRange(0, 166) / 100.0;
+    scene.transport.kappa = positive();
+    scene.run.bath_rate = positive();
     scene.scheme.dt = {positive() * (ideal ? 1 : 1e-15), ideal};
     scene.run.steps = *rc::gen::inRange(1, 1 << 30);
     scene.run.sample_every = 1;
