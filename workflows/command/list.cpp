@@ -34,6 +34,7 @@ std::vector<Command> commands() {
       workflow_lj_to_sdpd_command(),
       trade_off_command(),
       reproduce_command(),
+      workflow_star_polymers_command(),
       check_command(),
       bench_engine_command(),
       bench_eos_command(),
