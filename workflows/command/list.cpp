@@ -20,6 +20,7 @@ std::vector<Command> commands() {
       fit_mie_gruneisen_command(),
       fit_hz_command(),
       fit_jwl_command(),
+      fit_dpde_command(),
       eos_eval_command(),
       eos_list_command(),
       eos_hugoniot_command(),

@@ -9,6 +9,7 @@ Command md_star_vacuum_command();
 Command cg_blobs_command();
 Command cg_correlations_command();
 Command cg_entropy_command();
+Command fit_dpde_command();
 Command workflow_star_polymers_command();
 Command bench_blobs_command();
 
