@@ -31,8 +31,10 @@ constexpr double n_1 = 3 * atoms - 4; // n - 1
 std::vector<EnergySamples> several(std::uint64_t seed, int per_block = 1000) {
   std::mt19937_64 generator(seed);
   std::vector<EnergySamples> samples;
-  for (double T : {0.8, 1.0, 1.25})
-    samples.push_back(harmonic(atoms, T, 20, per_block, generator));
+  // Unequally many, so that each set's weight counts.
+  samples.push_back(harmonic(atoms, 0.8, 20, per_block, generator));
+  samples.push_back(harmonic(atoms, 1.0, 20, per_block / 3, generator));
+  samples.push_back(harmonic(atoms, 1.25, 20, 2 * per_block, generator));
   return samples;
 }
 
