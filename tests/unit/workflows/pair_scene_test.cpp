@@ -122,7 +122,7 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
       {"mass = 1\n", "", {"particles.mass", "missing"}},
       {"a = 25\n", "", {"potential.a", "soft"}},
       {"a = 25\n", "a = 25\nsigma = 1\n", {"potential.sigma", "lj"}},
-      {"\"soft\"", "\"lj\"", {"potential.epsilon"}},
+      {"\"soft\"", "\"lj\"", {"potential.a", "not to \"lj\""}},
       {"gamma_par = 4.5\n", "", {"friction.gamma_par"}},
       {"gamma_par = 4.5", "gamma_par = -1", {"friction.gamma_par"}},
       {"heat_capacity = 60", "", {"internal_energy.heat_capacity"}},
