@@ -31,7 +31,7 @@ std::vector<NamedPairScheme> const& pair_schemes() {
       {"ser", PairScheme::ser, "all pairs at once, for short time steps"},
       {"ser-implicit", PairScheme::ser_implicit, "all pairs at once, implicitly"},
       {"hybrid", PairScheme::hybrid, "ssa within eight domains and ser between them"},
-      {"entropy", PairScheme::entropy, "the original form of SDPD, for comparison"},
+      {"entropy", PairScheme::entropy, "the original form of SDPD, which heats unless steps are tiny"},
   };
   return list;
 }

