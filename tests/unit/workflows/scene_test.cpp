@@ -137,7 +137,7 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     ++ran;
   }
-  EXPECT_EQ(ran, 36);
+  EXPECT_EQ(ran, 40);
 }
 
 TEST(Scene, BadOverridesAreTracedToTheCommandLine) {
