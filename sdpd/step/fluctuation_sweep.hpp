@@ -47,9 +47,23 @@ void sweep_all_blocks(System& system, Law const& law, double dt, bool second, Sw
     system.energy_gain.assign(particles.size(), 0);
   Sweep<Law> const sweep{law, dt, SweepNoise(system, second)};
   std::vector<PairCounts> counts(grid.blocks().size());
+  // The phases after a failure are not swept: a particle that has left the equation of state would take its
+  // neighbours with it, and the message would be about them.
   Failure failure;
-  for_each_block(grid, system.threads,
-                 [&](std::size_t block) { sweep_block(block, sweep, counts[block], failure); });
+  auto const begin = grid.phase_begin();
+  std::atomic<std::size_t> failed_phase = begin.size();
+  for_each_block(grid, system.threads, [&](std::size_t block) {
+    auto const phase =
+        static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), block) - begin.begin());
+    if (phase > failed_phase)
+      return;
+    Failure of_block;
+    sweep_block(block, sweep, counts[block], of_block);
+    if (of_block.any()) {
+      failure.report(of_block.id(), of_block.message());
+      failed_phase = phase;
+    }
+  });
   system.stop_at(failure);
   for (auto const& of_block : counts)
     system.pair_counts += of_block;
