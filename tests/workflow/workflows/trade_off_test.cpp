@@ -105,7 +105,7 @@ TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
 std::string auto_scene() {
   return "title = \"auto\"\n[fluid]\neos = \"ideal-gas\"\nrho = \"1150 kg/m^3\"\nT = \"1000 K\"\nm0 = "
          "\"1e-25 kg\"\n"
-         "[particles]\nN = 216\nK = 10\n[transport]\neta = \"2e-3 Pa*s\"\n"
+         "[particles]\nN = 343\nK = 10\n[transport]\neta = \"2e-3 Pa*s\"\n"
          "[run]\nequilibrate = 64\nsteps = 640\n[scheme]\ndt = \"auto\"\ndrift = \"1e-4/ps\"\n";
 }
 
