@@ -36,6 +36,7 @@ std::vector<Command> commands() {
       trade_off_command(),
       reproduce_command(),
       workflow_star_polymers_command(),
+      reproduce_command(),
       check_command(),
       bench_engine_command(),
       bench_eos_command(),

@@ -15,6 +15,7 @@ std::vector<Reproduction> const& reproductions() {
       {"figure-4.9", "energy drift with multiple time steps", reproduce_figure_4_9},
       {"table-4.1", "time per particle and step of the schemes", reproduce_table_4_1},
       {"stability", "which schemes run where: time steps, sizes, extreme states", reproduce_stability},
+      {"table-5.1", "pressure, density, temperatures over the particle size", reproduce_table_5_1},
   };
   return list;
 }

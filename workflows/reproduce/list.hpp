@@ -40,5 +40,6 @@ Reproduced reproduce_figure_4_8(ReproduceOptions const& options, Context const& 
 Reproduced reproduce_figure_4_9(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_table_4_1(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_stability(ReproduceOptions const& options, Context const& context);
+Reproduced reproduce_table_5_1(ReproduceOptions const& options, Context const& context);
 
 } // namespace mesobridge::workflows
