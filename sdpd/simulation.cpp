@@ -1,4 +1,6 @@
 #include "sdpd/simulation.hpp"
+#include "sdpd/observe/compression.hpp"
+#include "sdpd/particle_eos.hpp"
 #include "sdpd/random.hpp"
 #include "sdpd/step/conservative.hpp"
 #include <algorithm>
@@ -72,7 +74,7 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
   AnyKernel const kernel = make_kernel(s.kernel, h, s.density_correction.scale);
   auto system = std::make_unique<System>(System{
       .box = box,
-      .thermodynamics = make_thermodynamics(s.eos, units),
+      .thermodynamics = make_thermodynamics(s.eos, units, s.centre_of_mass),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
       .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
@@ -113,6 +115,17 @@ void set_energies_from_temperatures(System& system) {
   system.stop_at(failure);
 }
 
+/// At the set density and temperature, in k_B. Throws PhysicsError when the model has no such state.
+double heat_capacity_of_a_particle(SimulationSettings const& s) {
+  double const bulk = std::visit(
+      [&](auto const& eos) {
+        return eos.heat_capacity(eos.energy_from_temperature(s.T, s.rho), s.rho) * eos.molecular_mass() /
+               eos.boltzmann();
+      },
+      s.eos);
+  return s.K * bulk - (s.centre_of_mass == CentreOfMass::free ? 1.5 : 0);
+}
+
 std::vector<double> heat_capacities(System const& system) {
   std::vector<double> C(system.size());
   for (std::size_t i = 0; i < C.size(); ++i)
@@ -142,10 +155,14 @@ MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
 void check(SimulationSettings const& s) {
   require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
   require(s.T > 0 && std::isfinite(s.T), "temperature T", s.T, "must be > 0 and finite");
-  bool const ideal = std::holds_alternative<fitting::IdealGas>(s.eos);
-  require(std::isfinite(s.K) && (ideal ? s.K > 1 : s.K >= 1), "particle size K", s.K,
-          ideal ? "must be > 1 (an ideal-gas particle of K molecules has the heat capacity of K - 1)"
-                : "must be >= 1");
+  require(s.K >= 1 && std::isfinite(s.K), "particle size K", s.K, "must be >= 1 and finite");
+  double const C = heat_capacity_of_a_particle(s);
+  require(
+      C > least_heat_capacity, "particle size K", s.K,
+      fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
+                  "k_B is needed for a positive friction (theory, Eq. (2.16))",
+                  C, s.centre_of_mass == CentreOfMass::free ? " without its centre of mass" : "",
+                  least_heat_capacity));
   require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   auto const& [scale, self] = s.density_correction;
@@ -272,24 +289,38 @@ double Simulation::heat_capacity() const {
   return sum + 1.5 * (static_cast<double>(size()) - 1);
 }
 
+void Simulation::set_density_correction(DensityCorrection const& correction) {
+  auto& kernel = system_->kernel;
+  std::string_view const name = std::visit([](auto const& of) { return of.name; }, kernel);
+  kernel = make_kernel(name, system_->neighbours.range(), correction.scale);
+  system_->self_density = self_density(kernel, correction);
+  set_energies_from_temperatures(*system_);
+  refresh(*system_);
+}
+
+double Simulation::compression_response() const {
+  return sdpd::compression_response(*system_);
+}
+
 Checkpoint Simulation::checkpoint() const {
   auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
   return {system_->step,        particles.id,
           particles.q,          {renewed.begin(), renewed.end()},
           particles.p,          particles.eps,
-          particles.T,          system_->kept_energy,
-          system_->pair_counts, system_->conduction_counts};
+          particles.S,          particles.T,
+          system_->kept_energy, system_->pair_counts,
+          system_->conduction_counts};
 }
 
 void Simulation::restore(Checkpoint const& c) {
   auto& particles = system_->particles;
   std::size_t const n = size();
   for (auto const length :
-       {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size(), c.eps.size(), c.T.size()})
+       {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size(), c.eps.size(), c.S.size(), c.T.size()})
     require(length == n, "particles in the checkpoint", length, fmt::format("must be {} as in the scene", n));
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
-  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
+  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.S = c.S, particles.T = c.T;
   particles.q = c.q_at_renewal;
   system_->neighbours.renew(particles);
   particles.q = c.q;
@@ -297,7 +328,7 @@ void Simulation::restore(Checkpoint const& c) {
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
   find_pairs_and_densities(*system_);
-  thermodynamics_from_temperature(*system_);
+  response_from_temperature(*system_);
   find_forces(*system_);
 }
 

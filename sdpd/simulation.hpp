@@ -3,6 +3,7 @@
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/observe/observation.hpp"
 #include "sdpd/scheme/scheme.hpp"
+#include "sdpd/thermodynamics.hpp"
 #include <array>
 #include <functional>
 #include <memory>
@@ -18,7 +19,8 @@ struct SimulationSettings {
   fitting::AnyEos eos;
   double rho = 0; ///< mean density, > 0
   double T = 0;   ///< set temperature, > 0
-  double K = 0;   ///< size of a particle in atoms or molecules, >= 1 (> 1 for the ideal gas)
+  double K = 0;   ///< size of a particle in atoms or molecules, >= 1 and with a heat capacity above k_B/2
+  CentreOfMass centre_of_mass = CentreOfMass::free;
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
   double disorder =
@@ -52,7 +54,7 @@ struct Checkpoint {
   std::uint64_t step = 0;
   std::vector<std::uint32_t> id;
   std::vector<Vec3> q, q_at_renewal, p;
-  std::vector<double> eps, T;
+  std::vector<double> eps, S, T;
   double kept_energy = 0; ///< see Scheme::keep_energy
   PairCounts pair_counts, conduction_counts;
 };
@@ -101,6 +103,11 @@ class Simulation {
   /// width (k_B/C)^(1/2) about the set one (from K = 50 on; smaller particles, which settle fast, get the set
   /// temperature).
   void draw_temperatures();
+
+  /// Other constants of the densities, at the same positions, momenta and temperatures; energies follow.
+  void set_density_correction(DensityCorrection const& correction);
+  /// See observe/compression.hpp.
+  double compression_response() const;
 
   Checkpoint checkpoint() const;
   /// Throws InputError when the checkpoint does not belong to these settings.

@@ -1,4 +1,5 @@
 #include "sdpd/thermodynamics.hpp"
+#include "fitting/eos/centre_of_mass_free.hpp"
 #include "sdpd/particle_eos.hpp"
 
 namespace mesobridge::sdpd {
@@ -14,19 +15,19 @@ class ThermodynamicsOf final : public Thermodynamics {
       double const T = at.temperature_from_entropy(particles.S[i], particles.T[i]);
       particles.T[i] = T;
       particles.eps[i] = at.energy(T);
-      particles.P[i] = at.pressure(T);
-      particles.caloric[i] = at.caloric(T);
+      set_response(particles, i, at);
     });
   }
   void from_energy(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
       particles.T[i] = at.temperature_from_energy(particles.eps[i], particles.T[i]);
-      set_from_temperature(particles, i, at);
+      particles.S[i] = at.entropy(particles.T[i]);
+      set_response(particles, i, at);
     });
   }
-  void from_temperature(Particles& particles, Range range, Failure& failure) const override {
+  void response(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure,
-             [&](std::size_t i, auto const& at) { set_from_temperature(particles, i, at); });
+             [&](std::size_t i, auto const& at) { set_response(particles, i, at); });
   }
   void energy_from_temperature(Particles& particles, Range range, Failure& failure) const override {
     for_each(particles, range, failure,
@@ -56,8 +57,9 @@ class ThermodynamicsOf final : public Thermodynamics {
       }
     }
   }
-  static void set_from_temperature(Particles& particles, std::size_t i, auto const& at) {
-    particles.S[i] = at.entropy(particles.T[i]);
+  /// Not inlined: a restart must find the bits of the stopped run, and only the same machine code rounds
+  /// alike.
+  [[gnu::noinline]] static void set_response(Particles& particles, std::size_t i, auto const& at) {
     particles.P[i] = at.pressure(particles.T[i]);
     particles.caloric[i] = at.caloric(particles.T[i]);
   }
@@ -65,21 +67,19 @@ class ThermodynamicsOf final : public Thermodynamics {
   ParticleEos<Eos> eos_;
 };
 
-/// The part of the K atoms that a particle's internal state has: all, but for the ideal gas, whose centre of
-/// mass carries the share of one (theory sheet, Eq. 4.7 corrected).
 template <class Eos>
-double internal_share(double K) {
-  return std::is_same_v<Eos, fitting::IdealGas> ? (K - 1) / K : 1.0;
+std::unique_ptr<Thermodynamics const> of(Eos const& eos, ReducedUnits const& units) {
+  return std::make_unique<ThermodynamicsOf<Eos>>(ParticleEos<Eos>(eos, units));
 }
 
 } // namespace
 
-std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& any,
-                                                          ReducedUnits const& units) {
+std::unique_ptr<Thermodynamics const>
+make_thermodynamics(fitting::AnyEos const& any, ReducedUnits const& units, CentreOfMass centre_of_mass) {
   return std::visit(
-      [&]<class Eos>(Eos const& eos) -> std::unique_ptr<Thermodynamics const> {
-        return std::make_unique<ThermodynamicsOf<Eos>>(
-            ParticleEos<Eos>(eos, units, internal_share<Eos>(units.K)));
+      [&](auto const& bulk) {
+        return centre_of_mass == CentreOfMass::free ? of(fitting::CentreOfMassFree(bulk, units.K), units)
+                                                    : of(bulk, units);
       },
       any);
 }

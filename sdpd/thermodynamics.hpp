@@ -28,9 +28,9 @@ class Thermodynamics {
   virtual void from_entropy(Particles& particles, Range range, Failure& failure) const = 0;
   /// T, S, P and the caloric expansion from the energy and the density.
   virtual void from_energy(Particles& particles, Range range, Failure& failure) const = 0;
-  /// S, P and the caloric expansion from the temperature and the density, energies untouched: what a restart
-  /// needs to find the very numbers that the stopped run held.
-  virtual void from_temperature(Particles& particles, Range range, Failure& failure) const = 0;
+  /// P and the caloric expansion from the temperature and the density, energies and entropies untouched: what
+  /// a restart needs to find the very numbers that the stopped run held.
+  virtual void response(Particles& particles, Range range, Failure& failure) const = 0;
   /// eps from the temperature and the density.
   virtual void energy_from_temperature(Particles& particles, Range range, Failure& failure) const = 0;
 
@@ -43,8 +43,17 @@ class Thermodynamics {
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
 };
 
-/// For particles of the size in `units`.
+/// What a particle's equation of state says of its centre of mass, whose kinetic energy (3/2) k_B T and
+/// pressure k_B T/V the moving particles have anyway.
+enum class CentreOfMass {
+  free, ///< S = m s less the centre of mass's part (theory sheet, section 8.3): totals do not depend on K
+  bulk  ///< S = m s: the kinetic energy and the pressure of the particles come on top of the bulk's
+};
+
+/// For particles of the size in `units`. Throws InputError when the heat capacity of a particle is not above
+/// that of its centre of mass.
 std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& eos,
-                                                          ReducedUnits const& units);
+                                                          ReducedUnits const& units,
+                                                          CentreOfMass centre_of_mass = CentreOfMass::free);
 
 } // namespace mesobridge::sdpd

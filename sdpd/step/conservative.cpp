@@ -45,9 +45,9 @@ void thermodynamics_from_entropy(System& system) {
   });
 }
 
-void thermodynamics_from_temperature(System& system) {
+void response_from_temperature(System& system) {
   renew_thermodynamics(system, [&](auto const& of, Range range, Failure& failure) {
-    of.from_temperature(system.particles, range, failure);
+    of.response(system.particles, range, failure);
   });
 }
 

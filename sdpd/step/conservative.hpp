@@ -21,8 +21,9 @@ void find_pairs_and_densities(System& system);
 /// T, eps and P of every particle from its entropy and its density.
 void thermodynamics_from_entropy(System& system);
 
-/// S and P of every particle from its temperature and its density, energies untouched.
-void thermodynamics_from_temperature(System& system);
+/// P and the caloric expansion of every particle from its temperature and its density, energies and entropies
+/// untouched.
+void response_from_temperature(System& system);
 
 /// T, S and P of every particle from its internal energy and its density.
 void thermodynamics_from_energy(System& system);

@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include <algorithm>
+#include <tuple>
 
 namespace mesobridge::workflows {
 
@@ -47,6 +48,25 @@ void check_fluid(Scene const& scene, Places const& places) {
                    "must be > 1 for the ideal gas: its heat capacity is 3/2 (K - 1) k_B");
 }
 
+void check_density(Scene const& scene, Places const& places) {
+  auto const& [density, scale, self] =
+      std::tie(scene.particles.density, scene.particles.density_scale, scene.particles.density_self);
+  bool const takes_constants = density == "given" || density.starts_with("calibrated");
+  for (auto const& [key, value] :
+       {std::pair("particles.density_scale", scale), {"particles.density_self", self}})
+    if (value)
+      require_together(
+          takes_constants, places, key, *value,
+          fmt::format("allowed with density = \"given\" or \"calibrated\"; here it is \"{}\"", density));
+  require_together(scale.has_value() == self.has_value() && (scale || density != "given"), places,
+                   "particles.density", density,
+                   "needs both density_scale and density_self" +
+                       std::string(density == "given" ? "" : ", or neither"));
+  if (scale)
+    require_together(std::abs(*self) < *scale, places, "particles.density_self", *self,
+                     fmt::format("must lie between -c and c, c = density_scale = {}", *scale));
+}
+
 void check_box(Scene const& scene, Places const& places) {
   // The nearest periodic image is the only one within the kernel's support when the edge is at least 2 h.
   double const edge_in_h = std::cbrt(static_cast<double>(scene.particles.N)) / scene.particles.h_factor;
@@ -74,6 +94,7 @@ void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Place
 
 void check_together(Scene const& scene, Places const& places) {
   check_fluid(scene, places);
+  check_density(scene, places);
   check_box(scene, places);
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
                    scene.scheme.noise,

@@ -111,6 +111,12 @@ std::vector<SceneKey> const& scene_keys() {
       Line(
           "fluid", "m0", [](Scene& s) { return &s.fluid.m0; }, "mass of one molecule; ideal-gas only")
           .quantity(Dimension::mass, positive),
+      Line(
+          "fluid", "centre_of_mass", [](Scene& s) { return &s.fluid.centre_of_mass; },
+          "free: the particles' equation of state is the bulk's less what their moving centres of mass "
+          "carry, "
+          "so that totals do not depend on K; bulk: it is the bulk's")
+          .choices({"free", "bulk"}),
 
       Line(
           "particles", "N", [](Scene& s) { return &s.particles.N; }, "how many particles")
@@ -131,6 +137,29 @@ std::vector<SceneKey> const& scene_keys() {
           "particles", "disorder", [](Scene& s) { return &s.particles.disorder; },
           "standard deviation of the initial displacements from a cubic lattice, in its spacings")
           .in({.min = 0, .max = 0.5}),
+      Line(
+          "particles", "density", [](Scene& s) { return &s.particles.density; },
+          "constants c, eps of rho_i = c sum_j m_j W_ij - eps m_i W_ii(0): 1 and 0 (plain); those of a "
+          "glass; "
+          "given by the next two keys; or calibrated: found by a short run of this fluid and size, so that "
+          "its "
+          "mean density and pressure are those of the equation of state (calibrated-response: so that its "
+          "mean "
+          "density is, and follows a compression; for fluids almost without pressure), and written into the "
+          "next two keys. It is not repeated when they are there")
+          .choices({"plain", "glass", "given", "calibrated", "calibrated-response"}),
+      Line(
+          "particles", "density_scale", [](Scene& s) { return &s.particles.density_scale; },
+          "c; with density = given or calibrated")
+          .in({.min = 0, .open = true, .max = 10}),
+      Line(
+          "particles", "density_self", [](Scene& s) { return &s.particles.density_self; },
+          "eps, between -c and c; with density = given or calibrated")
+          .in({.min = -10, .max = 10}),
+      Line(
+          "particles", "calibration_steps", [](Scene& s) { return &s.particles.calibration_steps; },
+          "steps of a calibration, of at most about 1000 particles")
+          .in({.min = 200, .max = 1e9}),
 
       Line(
           "transport", "eta", [](Scene& s) { return &s.transport.eta; }, "shear viscosity")

@@ -26,6 +26,7 @@ struct Scene {
     std::string eos; ///< a name of `eos list`, or the path of a fitted model
     double rho = 0, T = 0;
     std::optional<double> m0;
+    std::string centre_of_mass = "free";
     bool operator==(Fluid const&) const = default;
   } fluid;
   struct Particles {
@@ -34,6 +35,9 @@ struct Scene {
     std::string kernel = "cubic";
     double h_factor = 2.5;
     double disorder = 0.15;
+    std::string density = "plain";
+    std::optional<double> density_scale, density_self;
+    std::int64_t calibration_steps = 3000;
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {

@@ -42,6 +42,7 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
   store.write("q_at_renewal", numbers(c.q_at_renewal), {n, 3});
   store.write("p", numbers(c.p), {n, 3});
   store.write("eps", c.eps);
+  store.write("S", c.S);
   store.write("T", c.T);
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
@@ -64,6 +65,7 @@ StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
                          .q_at_renewal = vectors(store.read_doubles("q_at_renewal")),
                          .p = vectors(store.read_doubles("p")),
                          .eps = store.read_doubles("eps"),
+                         .S = store.read_doubles("S"),
                          .T = store.read_doubles("T"),
                          .kept_energy = store.read_doubles("kept_energy").at(0),
                          .pair_counts = pair_counts(store.read_integers("pair_counts")),

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/cost_estimate.hpp"
+#include "workflows/sdpd/density_constants.hpp"
 #include <numbers>
 
 namespace mesobridge::workflows {
@@ -8,7 +9,8 @@ constexpr double ns_per_pair = 50; // ideal gas, SSA; the LJ fluid takes a fifth
 // 0.71 kB a particle in all were measured at h_factor 2.5 (64000 and 216000 particles).
 constexpr double bytes_per_particle = 330;  // state, forces, working memory
 constexpr double candidates_per_pair = 1.5; // the lists reach beyond the range by their skin
-constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in range
+constexpr double calibrated_particles = 1000;
+constexpr double bytes_per_candidate = 8; // as a candidate, and as a pair in range
 
 } // namespace
 
@@ -17,8 +19,13 @@ CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& s
   auto const particles = static_cast<double>(scene.particles.N);
   double const pairs = particles * neighbours / 2;
   auto const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);
+  double const calibration =
+      wants_calibration(scene)
+          ? static_cast<double>(scene.particles.calibration_steps) * std::min(particles, calibrated_particles)
+          : 0;
   return {.neighbours = neighbours,
-          .seconds = pairs * steps * ns_per_pair * 1e-9 / settings.threads,
+          .seconds =
+              neighbours / 2 * (particles * steps + calibration) * ns_per_pair * 1e-9 / settings.threads,
           .bytes = particles * bytes_per_particle + pairs * candidates_per_pair * bytes_per_candidate};
 }
 

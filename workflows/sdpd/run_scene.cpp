@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/h5md.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
+#include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
@@ -17,10 +18,10 @@ constexpr std::int64_t instants = 40;
 class Run {
  public:
   Run(Scene const& scene, RunOptions const& options)
-      : scene_(scene), options_(options), settings_(settings_of(scene, options.threads)),
-        simulation_(settings_),
+      : options_(options), scene_(with_density_constants(scene)),
+        settings_(settings_of(scene_, options.threads)), simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
-                                                              resolved_toml(scene), inputs(scene)},
+                                                              resolved_toml(scene_), inputs(scene)},
         every_instant_(std::max<std::int64_t>(1, scene.run.steps / instants)) {}
 
   RunResult carry_out() {
@@ -56,6 +57,26 @@ class Run {
   bool draws_trajectory() const { return scene_.run.trajectory_every > 0; }
   H5mdWriter::Units trajectory_units() const {
     return scene_.units == UnitSystem::SI ? H5mdWriter::Units::si() : H5mdWriter::Units::reduced();
+  }
+
+  /// The scene with the constants of its densities: those that it gives, those of the checkpoint, or fresh
+  /// ones.
+  Scene with_density_constants(Scene scene) {
+    if (!wants_calibration(scene))
+      return scene;
+    auto& particles = scene.particles;
+    if (options_.resume) {
+      auto const stored = parse_scene(read_checkpoint(file("checkpoint.h5")).scene, file("checkpoint.h5"));
+      particles.density_scale = stored.particles.density_scale;
+      particles.density_self = stored.particles.density_self;
+      calibration_ = Json::parse(read_text_file(file("calibration.json")));
+      return scene;
+    }
+    auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
+    particles.density_scale = found.constants.scale, particles.density_self = found.constants.self;
+    calibration_ = calibration_json(found, OutputUnits(settings_of(scene, 1).units(), scene.units));
+    write_summary(file("calibration.json"), calibration_);
+    return scene;
   }
 
   void start() {
@@ -181,6 +202,10 @@ class Run {
     json["dt" + units_.time_key] = settings_.dt * units_.time;
     json["steps"] = scene_.run.steps;
     json["neighbours"] = result.neighbours;
+    json["density_scale"] = settings_.density_correction.scale;
+    json["density_self"] = settings_.density_correction.self;
+    if (!calibration_.is_null())
+      json["density_calibration"] = calibration_;
     put(json, "T_kin" + units_.temperature_key, in(e.T_kin, units_.temperature));
     put(json, "T_int" + units_.temperature_key, in(e.T_int, units_.temperature));
     put(json, "P" + units_.pressure_key, in(e.P, units_.pressure));
@@ -199,8 +224,9 @@ class Run {
     return json;
   }
 
-  Scene scene_;
   RunOptions const& options_;
+  Json calibration_; ///< null unless the constants of the densities were found by this run
+  Scene scene_;
   sdpd::SimulationSettings settings_;
   sdpd::Simulation simulation_;
   OutputUnits units_;

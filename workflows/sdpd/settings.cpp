@@ -1,6 +1,7 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
 #include "workflows/text_file.hpp"
+#include <numbers>
 #include <omp.h>
 
 namespace mesobridge::workflows {
@@ -41,15 +42,31 @@ sdpd::Scheme scheme_of(Scene const& scene) {
           .keep_energy = energy == "kept"};
 }
 
+sdpd::DensityCorrection density_correction_of(Scene const& scene) {
+  auto const& particles = scene.particles;
+  if (particles.density_scale && particles.density_self)
+    return {.scale = *particles.density_scale, .self = *particles.density_self};
+  if (particles.density == "glass")
+    return sdpd::glass_correction(particles.kernel, neighbours_of(particles.h_factor));
+  return {};
+}
+
+double neighbours_of(double h_factor) {
+  return 4 * std::numbers::pi / 3 * std::pow(h_factor, 3);
+}
+
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   sdpd::SimulationSettings settings{
       .eos = eos_of(scene),
       .rho = scene.fluid.rho,
       .T = scene.fluid.T,
       .K = scene.particles.K,
+      .centre_of_mass =
+          scene.fluid.centre_of_mass == "free" ? sdpd::CentreOfMass::free : sdpd::CentreOfMass::bulk,
       .lattice = lattice_of(scene.particles.N),
       .disorder = scene.particles.disorder,
       .kernel = scene.particles.kernel,
+      .density_correction = density_correction_of(scene),
       .h_factor = scene.particles.h_factor,
       .eta = scene.transport.eta,
       .zeta = scene.transport.zeta,

@@ -14,6 +14,13 @@ sdpd::PairScheme pair_scheme_of(std::string const& name);
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
 
+/// Mean number of particles within the kernel's support, the particle itself with them.
+double neighbours_of(double h_factor);
+
+/// The constants that the scene gives or names; those of the plain sum when they are still to be calibrated.
+/// Throws InputError when there are none for the scene's kernel.
+sdpd::DensityCorrection density_correction_of(Scene const& scene);
+
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
 
