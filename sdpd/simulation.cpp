@@ -137,12 +137,18 @@ struct MeanTemperatures {
   double T_kin = 0, T_int = 0;
 };
 
-MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps,
+/// With `quench`, kinetic energy that the settling structure sets free is taken out on the way: a structure
+/// of large particles falls from one arrangement to the next, and each fall is worth many of their k_B T.
+MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps, bool quench,
                                  std::function<bool()> const& keep_going) {
+  constexpr double too_hot = 1.2;
+  constexpr std::uint64_t quench_every = 8;
   MeanTemperatures sum;
   for (std::uint64_t k = 0; k < steps; ++k) {
     simulation.advance(1);
     Observation const now = simulation.observe();
+    if (quench && k % quench_every == 0 && now.T_kin > too_hot)
+      simulation.scale_momenta(1 / std::sqrt(now.T_kin));
     sum.T_kin += now.T_kin, sum.T_int += now.T_int;
     if (k % 32 == 0 && !keep_going())
       throw Interrupted("stopped while the system came to equilibrium");
@@ -342,7 +348,7 @@ void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool
     auto const end = static_cast<std::uint64_t>(share_done * static_cast<double>(steps));
     if (end == done)
       continue;
-    auto const mean = run_and_average(simulation, end - done, keep_going);
+    auto const mean = run_and_average(simulation, end - done, share < 0.5, keep_going);
     done = end;
     if (!simulation.has_noise()) { // nothing but heat is there to be set
       simulation.heat(1 - mean.T_int);

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -48,12 +49,21 @@ DensityCorrection glass_correction(std::string_view kernel, double neighbours) {
   struct Law {
     std::string_view kernel;
     double epsilon_100, a;
+    double least, most; // neighbours
   };
-  constexpr std::array<Law, 3> laws{
-      {{"wendland-c2", 0.0294, 0.977}, {"wendland-c4", 0.01342, 1.579}, {"wendland-c6", 0.0116, 2.236}}};
+  constexpr double any = std::numeric_limits<double>::infinity();
+  constexpr std::array<Law, 5> laws{{{"wendland-c2", 0.0294, 0.977, 40, any},
+                                     {"wendland-c4", 0.01342, 1.579, 40, any},
+                                     {"wendland-c6", 0.0116, 2.236, 40, any},
+                                     {"cubic", -0.018, 0, 50, 68},
+                                     {"lucy", -0.038, 0, 50, 68}}};
   for (auto const& law : laws)
-    if (law.kernel == kernel)
+    if (law.kernel == kernel) {
+      require(neighbours >= law.least && neighbours <= law.most, "neighbours", neighbours,
+              fmt::format("must lie in {} ... {} for the glass correction of the kernel '{}'", law.least,
+                          law.most, kernel));
       return {.scale = 1, .self = law.epsilon_100 * std::pow(neighbours / 100, -law.a)};
+    }
   refuse(kernel, "there is no glass correction for the kernel");
 }
 

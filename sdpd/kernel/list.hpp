@@ -29,9 +29,12 @@ std::vector<std::string> kernel_names();
 /// The kernel of that name with support h, multiplied by `scale`. Throws InputError that lists the names.
 AnyKernel make_kernel(std::string_view name, double h, double scale = 1);
 
-/// Dehnen and Aly's self-term correction for particles in a glass (theory sheet, section 8.2): epsilon =
-/// epsilon_100 (N/100)^-a for `neighbours` N within the support. A hot fluid is no glass: its constants have
-/// to be found on the fluid itself. Throws InputError for kernels other than Wendland's.
+/// The self-term correction for particles at rest in a glass with `neighbours` N within the support, at which
+/// the mean density is right. For Wendland's kernels that of Dehnen and Aly, epsilon = epsilon_100
+/// (N/100)^-a (theory sheet, section 8.2). For the cubic and Lucy's kernels, whose glasses have densities
+/// that are too low and from about 70 neighbours on clump, a constant that glasses of our own gave (a test
+/// makes them again). A hot fluid is no glass: its constants have to be found on the fluid itself
+/// (calibrate_density.hpp). Throws InputError for other kernels and numbers of neighbours.
 DensityCorrection glass_correction(std::string_view kernel, double neighbours);
 
 } // namespace mesobridge::sdpd

@@ -66,7 +66,9 @@ TEST(KernelList, FindsEveryKernelByItsNameAndRefusesOthers) {
 TEST(GlassCorrection, IsThatOfDehnenAndAly) {
   EXPECT_NEAR(glass_correction("wendland-c2", 100).self, 0.0294, 1e-15);
   EXPECT_NEAR(glass_correction("wendland-c6", 400).self, 0.0116 * std::pow(4, -2.236), 1e-15);
-  EXPECT_THROW(glass_correction("cubic", 100), InputError);
+  EXPECT_THROW(glass_correction("cubic", 100), InputError); // it clumps
+  EXPECT_THROW(glass_correction("wendland-c2", 20), InputError);
+  EXPECT_THROW(glass_correction("gaussian", 60), InputError);
 }
 
 } // namespace

@@ -64,8 +64,11 @@ TEST(CentreOfMassFreeParticles, HaveTheBulksTotalsAtEverySize) {
 TEST(CentreOfMassFreeParticles, RefuseHeatCapacitiesWithoutAPositiveFriction) {
   ReducedUnits const units{.K = 1.2, .m0 = 1e-25, .density = 1000, .temperature = 500, .boltzmann = k_B};
   auto const gas = make_thermodynamics(fitting::IdealGas(1e-25), units); // (3/2) (K - 1) k_B = 0.3 k_B
+  Particles one;
+  one.resize(1);
+  one.rho[0] = one.T[0] = 1;
   try {
-    gas->caloric(0.25, 1, 1);
+    gas->caloric(one, 0, 0.25, 1);
     FAIL() << "a heat capacity of 0.3 k_B was accepted";
   } catch (PhysicsError const& error) {
     EXPECT_NE(std::string(error.what()).find("is 0.3 k_B"), std::string::npos) << error.what();

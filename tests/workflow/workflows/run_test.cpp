@@ -23,9 +23,8 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
   std::vector<std::string> words{
       MESOBRIDGE_PROGRAM, "run",    MESOBRIDGE_SOURCE_DIR "/workflows/scenes/argon-1000K.toml", "-o",
       directory.string(), "--quiet"};
-  for (char const* set :
-       {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
-        "run.trajectory_every=100", "run.checkpoint_every=150"})
+  for (char const* set : {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
+                          "run.trajectory_every=100", "run.checkpoint_every=150"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -65,8 +64,8 @@ TEST(Run, WritesTheSameBytesOnOneAndTwoThreads) {
 }
 
 /// Starts a run, sends it SIGINT once its first checkpoint is there, and returns its exit code.
-int interrupted_run(std::filesystem::path const& directory) {
-  auto words = run_words(directory, {});
+int interrupted_run(std::filesystem::path const& directory, std::vector<std::string> const& more = {}) {
+  auto words = run_words(directory, more);
   std::vector<char*> argv;
   for (auto& word : words)
     argv.push_back(word.data());
@@ -101,6 +100,33 @@ TEST(Run, GoesOnAfterAnInterruptionAsIfThereHadBeenNone) {
   EXPECT_TRUE(files(scratch / "unbroken") == files(scratch / "broken"));
 }
 
+TEST(Run, CalibratesItsDensitiesOnceAndGoesOnWithTheSameConstants) {
+  ScratchDirectory const scratch;
+  std::vector<std::string> const calibrated{"--set", "particles.density=calibrated",
+                                            "--set", "particles.calibration_steps=200",
+                                            "--set", "particles.N=512"};
+  ASSERT_EQ(run(scratch / "unbroken", calibrated).status, 0);
+  ASSERT_EQ(interrupted_run(scratch / "broken", calibrated), 130);
+  auto resume = calibrated;
+  resume.push_back("--resume");
+  auto const resumed = run(scratch / "broken", resume);
+  ASSERT_EQ(resumed.status, 0) << resumed.errors;
+  EXPECT_TRUE(files(scratch / "unbroken") == files(scratch / "broken"));
+
+  auto const summary = Json::parse(read_text_file(scratch / "unbroken" / "summary.json"));
+  auto const found = summary["density_calibration"];
+  EXPECT_EQ(summary["density_scale"], found["density_scale"]);
+  EXPECT_GT(found["density_scale"].get<double>(), 1.005); // plain densities are not right at this size
+  EXPECT_GT(found["density_self_se"].get<double>(), 0);
+  // The resolved scene holds the constants: it needs no calibration to be the same run.
+  auto const scene = (scratch / "unbroken" / "scene.toml").string();
+  auto const again =
+      run_process({MESOBRIDGE_PROGRAM, "run", scene, "-o", (scratch / "again").string(), "--quiet"});
+  ASSERT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(files(scratch / "again").thermodynamics, files(scratch / "unbroken").thermodynamics);
+  EXPECT_EQ(files(scratch / "again").scene, files(scratch / "unbroken").scene);
+}
+
 TEST(Run, RefusesToResumeAnotherScene) {
   ScratchDirectory const scratch;
   ASSERT_EQ(run(scratch / "a").status, 0);
@@ -126,6 +152,14 @@ TEST(Run, SaysWhyItCannotGoOn) {
       {{"--set", "fluid.eos=no-such-model.toml"}, 2, "no-such-model.toml"},
       {{"--set", "transport.zeta=1 Pa*s"}, 2, "zeta"},
       {{"--set", "run.steps=20"}, 2, "run.steps"},
+      {{"--set", "particles.K=1"}, 2, "heat capacity 0.2"},
+      {{"--set", "particles.density=given"}, 2, "both density_scale and density_self"},
+      {{"--set", "particles.density_scale=1.1"}, 2, "allowed with density = "},
+      // Liquid argon at its boiling point, nearly without pressure.
+      {{"--set", "particles.density=calibrated", "--set", "fluid.T=87 K", "--set", "fluid.rho=1400 kg/m^3",
+        "--set", "scheme.dt=0.01"},
+       2,
+       "response to compression"},
   };
   int ran = 0;
   for (auto const& [more, code, message] : cases) {
@@ -135,7 +169,7 @@ TEST(Run, SaysWhyItCannotGoOn) {
     EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
     ++ran;
   }
-  EXPECT_EQ(ran, 6);
+  EXPECT_EQ(ran, 10);
 }
 
 TEST(BenchEngine, ReportsItsKeys) {
