@@ -24,7 +24,7 @@ struct Target {
 
 Target target_of(SimulationSettings const& s) {
   auto const units = s.units();
-  double const motion = 1 / s.K;
+  double const motion = s.noise ? 1 / s.K : 0;
   return std::visit(
       [&](auto const& eos) {
         auto const isochore = eos.isochore(s.rho);

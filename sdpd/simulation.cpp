@@ -51,6 +51,11 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
+/// Without noise the centres of mass have no thermal motion that could carry anything.
+CentreOfMass centre_of_mass_of(SimulationSettings const& s) {
+  return s.noise ? s.centre_of_mass : CentreOfMass::bulk;
+}
+
 /// Boltzmann's constant of friction and conduction: what has no noise is the limit k_B -> 0.
 double noise_boltzmann(SimulationSettings const& s) {
   return s.noise ? 1 / s.K : 0;
@@ -74,7 +79,7 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
   AnyKernel const kernel = make_kernel(s.kernel, h, s.density_correction.scale);
   auto system = std::make_unique<System>(System{
       .box = box,
-      .thermodynamics = make_thermodynamics(s.eos, units, s.centre_of_mass),
+      .thermodynamics = make_thermodynamics(s.eos, units, centre_of_mass_of(s)),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
       .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
@@ -123,7 +128,7 @@ double heat_capacity_of_a_particle(SimulationSettings const& s) {
                eos.boltzmann();
       },
       s.eos);
-  return s.K * bulk - (s.centre_of_mass == CentreOfMass::free ? 1.5 : 0);
+  return s.K * bulk - (centre_of_mass_of(s) == CentreOfMass::free ? 1.5 : 0);
 }
 
 std::vector<double> heat_capacities(System const& system) {
@@ -167,7 +172,7 @@ void check(SimulationSettings const& s) {
       C > least_heat_capacity, "particle size K", s.K,
       fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
                   "k_B is needed for a positive friction (theory, Eq. (2.16))",
-                  C, s.centre_of_mass == CentreOfMass::free ? " without its centre of mass" : "",
+                  C, centre_of_mass_of(s) == CentreOfMass::free ? " without its centre of mass" : "",
                   least_heat_capacity));
   require(s.dt > 0 && std::isfinite(s.dt), "time step dt", s.dt, "must be > 0 and finite (reduced units)");
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
@@ -311,11 +316,16 @@ double Simulation::compression_response() const {
 Checkpoint Simulation::checkpoint() const {
   auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
-  return {system_->step,        particles.id,
-          particles.q,          {renewed.begin(), renewed.end()},
-          particles.p,          particles.eps,
-          particles.S,          particles.T,
-          system_->kept_energy, system_->pair_counts,
+  return {system_->step,
+          particles.id,
+          particles.q,
+          {renewed.begin(), renewed.end()},
+          particles.p,
+          particles.eps,
+          particles.S,
+          particles.T,
+          system_->kept_energy,
+          system_->pair_counts,
           system_->conduction_counts};
 }
 

@@ -20,7 +20,7 @@ struct SimulationSettings {
   double rho = 0; ///< mean density, > 0
   double T = 0;   ///< set temperature, > 0
   double K = 0;   ///< size of a particle in atoms or molecules, >= 1 and with a heat capacity above k_B/2
-  CentreOfMass centre_of_mass = CentreOfMass::free;
+  CentreOfMass centre_of_mass = CentreOfMass::free; ///< without noise it makes no difference: bulk
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
   double disorder =

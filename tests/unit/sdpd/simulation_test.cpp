@@ -83,22 +83,22 @@ SimulationSettings with_scheme(SimulationSettings s, Scheme scheme) {
 
 INSTANTIATE_TEST_SUITE_P(
     Fluids, EveryFluid,
-    ::testing::Values(Case{"ideal_gas_10", ideal_gas(10, 0.05)},
-                      Case{"ideal_gas_100", with_kernel(ideal_gas(100, 0.2), "lucy")},
-                      Case{"argon_10", argon(10, 0.03)}, Case{"argon_1000", argon(1000, 0.1)},
-                      Case{"argon_100_corrected", corrected(with_kernel(argon(100, 0.06), "wendland-c2"),
-                                                            {.scale = 1.03, .self = 0.2})},
-                      Case{"ideal_gas_2_ems", with_scheme(ideal_gas(2, 0.3), {.pairs = PairScheme::ems})},
-                      Case{"argon_10_ams_three_to_one",
-                           with_scheme(argon(10, 0.05), {.pairs = PairScheme::ams, .verlet_steps = 3})},
-                      Case{"argon_10_ems_strang_kept",
-                           with_scheme(argon(10, 0.05), {.pairs = PairScheme::ems,
-                                                         .splitting = Splitting::strang,
-                                                         .keep_energy = true})},
-                      Case{"argon_100_that_conducts",
-                           with_conduction(with_scheme(argon(100, 0.05), {.pairs = PairScheme::ems,
-                                                                          .splitting = Splitting::strang}),
-                                           1.5)}),
+    ::testing::Values(
+        Case{"ideal_gas_10", ideal_gas(10, 0.05)},
+        Case{"ideal_gas_100", with_kernel(ideal_gas(100, 0.2), "lucy")}, Case{"argon_10", argon(10, 0.03)},
+        Case{"argon_1000", argon(1000, 0.1)},
+        Case{"argon_100_corrected",
+             corrected(with_kernel(argon(100, 0.06), "wendland-c2"), {.scale = 1.03, .self = 0.2})},
+        Case{"ideal_gas_2_ems", with_scheme(ideal_gas(2, 0.3), {.pairs = PairScheme::ems})},
+        Case{"argon_10_ams_three_to_one",
+             with_scheme(argon(10, 0.05), {.pairs = PairScheme::ams, .verlet_steps = 3})},
+        Case{"argon_10_ems_strang_kept",
+             with_scheme(argon(10, 0.05),
+                         {.pairs = PairScheme::ems, .splitting = Splitting::strang, .keep_energy = true})},
+        Case{"argon_100_that_conducts",
+             with_conduction(with_scheme(argon(100, 0.05),
+                                         {.pairs = PairScheme::ems, .splitting = Splitting::strang}),
+                             1.5)}),
     [](auto const& info) { return info.param.name; });
 
 System lj_system(double K, std::string const& kernel = "cubic", DensityCorrection correction = {}) {
