@@ -206,13 +206,12 @@ Section fluid_section(ChainResults const& results) {
            figure({pressure_against_size(results), temperatures_against_size(results),
                    density_against_size(results), variances_against_size(results)},
                   "Means and variances against the particle size; dashes: the thesis's Table 5.1."),
-           Paragraph{"The pressure lies below the equation of state where particles are large: a sum over "
-                     "neighbours that "
-                     "repel each other is not the mean of random ones. Where they are small, the fluctuating "
-                     "density and "
-                     "the centre of mass, whose motion carries its own ideal pressure on top of the full "
-                     "equation of state, "
-                     "raise it."},
+           Paragraph{"The particles leave out of their equation of state what their centres of mass carry, "
+                     "so that the total energy does not depend on the size; the thesis's do not. Their "
+                     "densities are plain sums over neighbours, which are not the mass per volume: particles "
+                     "that repel each other are not where random ones are, and each counts itself. "
+                     "`particles.density = \"calibrated\"` finds the constants that mend pressure and mean "
+                     "density; `reproduce table-5.1` shows both."},
            fluid_table(results), published_table(results),
            figure(fluid_distributions(results), "Distributions over particles and instants.")}};
 }
