@@ -1,4 +1,5 @@
 #include "workflows/command/list.hpp"
+#include "workflows/command/studies.hpp"
 
 namespace mesobridge::workflows {
 
@@ -25,6 +26,7 @@ std::vector<Command> commands() {
       eos_table_command(),
       run_command(),
       workflow_lj_to_sdpd_command(),
+      reproduce_command(),
       check_command(),
       bench_engine_command(),
       bench_eos_command(),

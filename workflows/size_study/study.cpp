@@ -24,7 +24,7 @@ Effort effort_of(md::Preset preset) {
   std::vector<double> const all{5, 10, 25, 50, 100, 250, 500, 1000, 2500, 5000, 10000, 25000};
   switch (preset) {
   case md::Preset::quick:
-    return {{5, 10, 100, 1000, 25000}, 2000, 600, 1500};
+    return {{5, 10, 100, 1000, 25000}, 1600, 500, 1200};
   case md::Preset::standard:
     return {all, 10000, 4000, 20000};
   case md::Preset::paper:
@@ -61,7 +61,7 @@ cg::Estimate scaled(cg::Estimate const& e, double factor) {
 
 /// Large particles settle slowly.
 std::uint64_t settling_steps(Effort const& effort, double K) {
-  return (K < 1000 ? 1 : K < 10000 ? 2 : 6) * effort.settle;
+  return (K < 1000 ? 1 : K < 10000 ? 2 : 4) * effort.settle;
 }
 
 FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment, Effort const& effort) {

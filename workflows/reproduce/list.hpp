@@ -1,0 +1,35 @@
+#pragma once
+#include "workflows/lj/preset.hpp"
+#include "workflows/report/report.hpp"
+
+namespace mesobridge::workflows {
+
+/// What a reproduction has found: its numbers and what a reader sees of them. The command adds provenance and
+/// writes both.
+struct Reproduced {
+  Json summary; ///< keys with units; an uncertain number has a twin `_se`
+  Report report;
+};
+
+/// How long to work and where scratch files may lie.
+struct ReproduceOptions {
+  md::Preset preset = md::Preset::quick;
+  std::filesystem::path directory; ///< exists
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+/// A figure or table of the thesis: ours beside the printed one.
+struct Reproduction {
+  std::string name;  ///< "table-4.1"
+  std::string shows; ///< one line
+  std::function<Reproduced(ReproduceOptions const&, Context const&)> run;
+};
+
+/// Every figure and table that the program reproduces, in the order of the thesis. A new one is its own file
+/// in this folder, one declaration here and one line in list.cpp.
+std::vector<Reproduction> const& reproductions();
+
+Reproduced reproduce_table_5_1(ReproduceOptions const& options, Context const& context);
+
+} // namespace mesobridge::workflows
