@@ -171,7 +171,8 @@ Report size_study_report(SizeStudy const& study) {
           study.particles, study.sizes.front(), study.sizes.back()),
       .verdicts = {target(study, "Pressure", &FluidRun::P, pressure_target),
                    target(study, "Mean density", &FluidRun::rho, density_target),
-                   target(study, "Internal temperature", &FluidRun::T_int, temperature_target)},
+                   target(study, "Internal temperature", &FluidRun::T_int, temperature_target),
+                   target(study, "Kinetic temperature", &FluidRun::T_kin, temperature_target)},
       .sections = {},
       .provenance = {}};
   for (auto const& kernel : kernels_of(study))
