@@ -5,6 +5,7 @@ namespace mesobridge::workflows {
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
   static std::vector<Reproduction> const list{
+      {"chapter-3", "star polymers: key approximation, entropy, heat capacity (figures 3.2 ... 3.14)", reproduce_chapter_3},
       {"figure-4.2", "energy of SSA in time, K = 100", reproduce_figure_4_2},
       {"figure-4.3", "energy drift of SSA over the time step", reproduce_figure_4_3},
       {"figure-4.4", "energy drift of SER over the time step", reproduce_figure_4_4},

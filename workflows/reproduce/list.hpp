@@ -30,6 +30,7 @@ struct Reproduction {
 /// in this folder, one declaration here and one line in list.cpp.
 std::vector<Reproduction> const& reproductions();
 
+Reproduced reproduce_chapter_3(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_figure_4_2(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_figure_4_3(ReproduceOptions const& options, Context const& context);
 Reproduced reproduce_figure_4_4(ReproduceOptions const& options, Context const& context);
