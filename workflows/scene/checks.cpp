@@ -132,6 +132,11 @@ void check_sdpd(Scene const& scene, Places const& places) {
 
 void check_together(Scene const& scene, Places const& places) {
   scene.is_sdpd() ? check_sdpd(scene, places) : check_pair_fluid(scene, places);
+  constexpr std::int64_t least_instants = 16; // what an estimate of errors needs
+  require_together(scene.run.instant_every <= scene.run.steps / least_instants, places, "run.instant_every",
+                   scene.run.instant_every,
+                   fmt::format("must be <= run.steps/{} = {}, or there are too few instants for errors",
+                               least_instants, scene.run.steps / least_instants));
   require_together(scene.run.sample_every <= scene.run.steps, places, "run.sample_every",
                    scene.run.sample_every,
                    fmt::format("must be <= run.steps = {}, or there is no sample", scene.run.steps));

@@ -58,13 +58,14 @@ class Run {
   }
 
   std::filesystem::path file(char const* name) const { return options_.directory / name; }
+
   /// The scene with the constants of its densities: those that it gives, those of the checkpoint, or fresh
   /// ones.
   Scene with_density_constants(Scene scene) {
     if (!wants_calibration(scene))
       return scene;
     auto& particles = scene.particles;
-    if (options_.resume) {
+    if (options_.resume && std::filesystem::exists(file("checkpoint.h5"))) {
       auto const stored = parse_scene(read_checkpoint(file("checkpoint.h5")).scene, file("checkpoint.h5"));
       particles.density_scale = stored.particles.density_scale;
       particles.density_self = stored.particles.density_self;

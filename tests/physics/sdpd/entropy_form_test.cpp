@@ -56,7 +56,7 @@ Sampled sample(PairScheme scheme, double dt) {
     thermodynamics_from_energy(*system);
     double const change = total_energy(*system) / before - 1;
     square += change * change / steps;
-    auto const now = observe(particles, system->box, 0, system->boltzmann, 0);
+    auto const now = observe(*system);
     double mean = 0, variance = 0;
     for (double const eps : particles.eps)
       mean += eps * K / 1000;

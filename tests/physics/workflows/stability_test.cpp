@@ -5,7 +5,7 @@ namespace mesobridge::workflows {
 namespace {
 
 /// A run either goes through with finite, positive temperatures or says which particle could not, at which
-/// step and time step, and why.
+/// step and time step, and why; a state outside the model is refused before the first step.
 void expect_clear(StabilityCase const& one, TrialResult const& result) {
   if (!result.failed()) {
     EXPECT_GT(result.T_kin.mean, 0) << one.name;
@@ -14,6 +14,8 @@ void expect_clear(StabilityCase const& one, TrialResult const& result) {
     return;
   }
   auto const& says = result.failure;
+  if (says.starts_with("no equilibrium to begin with") && says.find("is outside") != std::string::npos)
+    return;
   EXPECT_NE(says.find("step "), std::string::npos) << one.name << ": " << says;
   EXPECT_NE(says.find("(dt = "), std::string::npos) << one.name << ": " << says;
   EXPECT_EQ(says.find("nan"), std::string::npos) << one.name << ": " << says;

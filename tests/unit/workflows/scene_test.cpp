@@ -123,6 +123,9 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
       {"\"SI\"", "\"si\"", {"bad.toml:2", "units = \"si\"", "\"SI\", \"lj\""}},
       {"title = \"Argon\"", "", {"bad.toml", "'title' is missing"}},
       {"steps = 100", "", {"bad.toml", "'run.steps' is missing"}},
+      {"steps = 100",
+       "steps = 100\ninstant_every = 7",
+       {"bad.toml:16", "run.instant_every", "too few instants"}},
       {"steps = 100", "steps = 100\nsample_every = 101", {"bad.toml:16", "run.sample_every", "<= run.steps"}},
       {"steps = 100", "steps = 100\nseed = -1", {"bad.toml:16", "run.seed = -1", ">= 0"}},
       {"[fluid]", "fluid = 3\n[fluids]", {"bad.toml:3", "fluid = 3", "[fluid]"}},
@@ -137,7 +140,7 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     ++ran;
   }
-  EXPECT_EQ(ran, 40);
+  EXPECT_EQ(ran, 41);
 }
 
 TEST(Scene, BadOverridesAreTracedToTheCommandLine) {

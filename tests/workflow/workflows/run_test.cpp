@@ -25,7 +25,7 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
       directory.string(), "--quiet"};
   for (char const* set : {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
                           "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200",
-                          "run.instant_every=50", "run.checkpoint_every=150"})
+                          "run.instant_every=25", "run.checkpoint_every=150"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -61,7 +61,7 @@ TEST(Run, WritesTheSameBytesOnOneAndTwoThreads) {
   EXPECT_EQ(results.thermodynamics.size(), 81u * 12u);
   EXPECT_EQ(results.positions.size(), 5u * 1000u * 3u);
   EXPECT_EQ(results.points.size(), 6u * 1000u * 3u);
-  EXPECT_EQ(results.eps.size(), 9u * 1000u); // an instant every 50 steps
+  EXPECT_EQ(results.eps.size(), 17u * 1000u); // an instant every 25 steps
   EXPECT_EQ(std::count(results.xyz.begin(), results.xyz.end(), '\n'), 3 * 1002);
   EXPECT_TRUE(results == files(scratch / "two"));
   auto const other = run(scratch / "other", {"--seed", "2"});
