@@ -70,6 +70,8 @@ fitting::EosState target(RunResult const& run) {
 Plot pressure_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
   auto plot = size_plot("pressureK", "Pressure", "P [GPa]");
+  plot.panels[0].legend = Legend::outside; // inside it would cover the points of large particles
+  plot.width = 700;
   auto in_GPa = [](RunResult const& run) { return run.settings.units().pressure() / 1e9; };
   double const eos = target(runs.front()).P / 1e9;
   plot.panels[0].series = {
