@@ -194,7 +194,7 @@ std::string script(Plot const& plot) {
       "rgb 'white' name '{}'\nset multiplot\nset lmargin at screen {}\nset rmargin at screen {}\n",
       plot.width, plot.height, font_size, plot.name, layout.left, layout.right);
   text += "set border 3 lw 1 lc rgb '#444444'\nset tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
-          "set grid lw 0.7 lc rgb '#e4e4e4'\nset key opaque fillcolor rgb '#ffffff' samplen 2 spacing 1.15\n";
+          "set grid lw 0.7 lc rgb '#e4e4e4'\nset key noopaque samplen 2 spacing 1.15\n";
   double const gap = 14.0 / plot.height;
   double share = 0;
   for (auto const& panel : plot.panels)
