@@ -1,31 +1,11 @@
 #include "fitting/internal_energy_file.hpp"
 #include "fitting/toml_reader.hpp"
-#include <span>
-#include <sstream>
+#include "fitting/toml_text.hpp"
 
 namespace mesobridge::fitting {
 namespace {
 
 constexpr std::string_view format_name = "mesobridge internal energy 1";
-
-/// Shortest text that reads back to the same bits, always a TOML float.
-std::string exact(double x) {
-  std::string const text = fmt::format("{}", x);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-std::string quoted(std::string const& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
-
-std::string array(std::span<double const> values) {
-  std::string text = "[";
-  for (double const value : values)
-    text += " " + exact(value) + ",";
-  return text + " ]";
-}
 
 struct Kind {
   std::string_view name, table;

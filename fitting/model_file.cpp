@@ -2,34 +2,14 @@
 #include "fitting/eos/lj_bwr_stability.hpp"
 #include "fitting/parametric_file.hpp"
 #include "fitting/toml_reader.hpp"
+#include "fitting/toml_text.hpp"
 #include <algorithm>
 #include <array>
-#include <span>
-#include <sstream>
 
 namespace mesobridge::fitting {
 namespace {
 
 constexpr std::string_view format_name = "mesobridge equation of state 1";
-
-/// Shortest text that reads back to the same bits, always a TOML float.
-std::string exact(double x) {
-  std::string const text = fmt::format("{}", x);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-std::string quoted(std::string const& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
-
-std::string array(std::span<double const> values) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < values.size(); ++i)
-    text += (i % 4 == 0 ? "\n  " : " ") + exact(values[i]) + ",";
-  return text + "\n]";
-}
 
 std::string body(IdealGas const& gas) {
   return fmt::format("kind = \"ideal-gas\"\n\n[ideal_gas]\nm0 = {}\ndof = {}\nk_B = {}\n",

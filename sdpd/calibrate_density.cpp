@@ -79,7 +79,7 @@ class Calibration {
       simulation_.set_density_correction(correction_);
     }
     result.particles = simulation_.size();
-    result.steps = simulation_.observe().step;
+    result.steps = simulation_.step();
     return result;
   }
 

@@ -296,7 +296,10 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
   for (std::uint64_t k = 0; k < steps; ++k)
-    step(*system_, scheme_, dt_);
+    sdpd::step(*system_, scheme_, dt_);
+}
+std::uint64_t Simulation::step() const {
+  return system_->step;
 }
 Observation Simulation::observe() const {
   return sdpd::observe(*system_);

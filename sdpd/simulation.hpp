@@ -88,6 +88,7 @@ class Simulation {
   /// Throws PhysicsError when a particle leaves the equation of state or turns unstable.
   void advance(std::uint64_t steps);
 
+  std::uint64_t step() const; ///< steps since the start
   Observation observe() const;
   Snapshot snapshot() const;
   ReducedUnits const& units() const { return units_; }

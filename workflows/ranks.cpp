@@ -24,6 +24,15 @@ void run_on_ranks(int ranks, std::vector<std::string> const& words) {
     throw AlreadyReported{code};
 }
 
+void work_on_ranks(Context const& context, std::vector<std::string> words,
+                   std::function<void()> const& work) {
+  if (!must_start_ranks(context))
+    return work();
+  if (context.options.quiet)
+    words.emplace_back("--quiet");
+  run_on_ranks(ranks_of(context), words);
+}
+
 void guard_ranks(std::function<void()> const& work) {
   md::MpiWorld const world;
   try {

@@ -18,6 +18,10 @@ int ranks_of(Context const& context);
 /// result. Throws AlreadyReported if it fails, EnvironmentError if it cannot be started.
 void run_on_ranks(int ranks, std::vector<std::string> const& words);
 
+/// Does the work on this process's rank, or has it done by this program on ranks of its own, called with the
+/// words (and --quiet where this call is).
+void work_on_ranks(Context const& context, std::vector<std::string> words, std::function<void()> const& work);
+
 /// Runs a part of the work that every rank does. When one rank alone fails, its message is printed and all
 /// ranks are ended, since the others would wait for it for ever.
 void guard_ranks(std::function<void()> const& work);

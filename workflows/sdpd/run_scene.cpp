@@ -90,9 +90,8 @@ class Run {
     std::filesystem::remove(file("checkpoint.h5"), ignored);
     std::filesystem::remove(file("run.h5.kept"), ignored);
     write_text_file(file("scene.toml"), provenance_.scene);
-    sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate), [&] {
-      return options_.keep_going(static_cast<std::uint64_t>(simulation_.observe().step));
-    });
+    sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
+                      [&] { return options_.keep_going(simulation_.step()); });
     run_file_.emplace(file("run.h5"), units_, observables_of(settings_), provenance_);
     trajectories_.emplace(scene_, options_.directory, provenance_, false);
     record();
@@ -135,7 +134,7 @@ class Run {
       run_file_->append(simulation_.observe(), time);
     if (due(every_instant_)) {
       auto const now = simulation_.snapshot();
-      run_file_->append(now, sdpd::moments(now), simulation_.observe().step);
+      run_file_->append(now, sdpd::moments(now), simulation_.step());
     }
     trajectories_->record(done_, simulation_, units_, settings_.dt);
     if (done_ > 0 && due(scene_.run.checkpoint_every))

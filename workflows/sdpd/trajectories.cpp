@@ -15,7 +15,7 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
   auto now = simulation.snapshot();
   for (std::size_t i = 0; i < now.q.size(); ++i)
     now.q[i] *= length, now.p[i] *= velocity;
-  ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.observe().step),
+  ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.step()),
                       .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
                       .box = Box{simulation.box().edge * length},
                       .positions = std::move(now.q),
@@ -65,7 +65,7 @@ std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) 
 
 void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units,
                           double dt) {
-  auto const step = static_cast<std::int64_t>(simulation.observe().step);
+  auto const step = static_cast<std::int64_t>(simulation.step());
   auto due = [&](auto const& writer, std::int64_t every) {
     return writer && done % every == 0 && step > writer->last_step();
   };

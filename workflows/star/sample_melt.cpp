@@ -147,14 +147,7 @@ std::vector<std::string> melt_words(MeltJob const& job) {
 } // namespace
 
 void sample_melt_on_ranks(MeltJob const& job, Context const& context) {
-  if (must_start_ranks(context)) {
-    auto words = melt_words(job);
-    if (context.options.quiet)
-      words.emplace_back("--quiet");
-    run_on_ranks(ranks_of(context), words);
-  } else {
-    sample_melt(job, context);
-  }
+  work_on_ranks(context, melt_words(job), [&] { sample_melt(job, context); });
 }
 
 } // namespace mesobridge::workflows

@@ -155,14 +155,7 @@ void sample_vacuum(VacuumJob const& job, Context const& context) {
 }
 
 void sample_vacuum_on_ranks(VacuumJob const& job, Context const& context) {
-  if (must_start_ranks(context)) {
-    auto words = vacuum_words(job);
-    if (context.options.quiet)
-      words.emplace_back("--quiet");
-    run_on_ranks(ranks_of(context), words);
-  } else {
-    sample_vacuum(job, context);
-  }
+  work_on_ranks(context, vacuum_words(job), [&] { sample_vacuum(job, context); });
 }
 
 } // namespace mesobridge::workflows

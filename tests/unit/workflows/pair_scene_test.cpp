@@ -1,4 +1,5 @@
 #include "md/error.hpp"
+#include "replaced.hpp"
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -33,11 +34,7 @@ dt = 0.01
 steps = 100
 )";
 
-std::string replaced(std::string text, std::string const& what, std::string const& by) {
-  auto const at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
-}
+using tests::replaced;
 
 std::string error_of(std::string const& text) {
   try {

@@ -1,4 +1,5 @@
 #include "md/error.hpp"
+#include "replaced.hpp"
 #include "workflows/scene/scene.hpp"
 #include <filesystem>
 #include <fmt/core.h>
@@ -26,11 +27,7 @@ dt = "1.5 fs"
 steps = 100
 )";
 
-std::string replaced(std::string text, std::string const& what, std::string const& by) {
-  auto const at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
-}
+using tests::replaced;
 
 std::string error_of(std::string const& text, std::vector<std::string> const& overrides = {}) {
   try {
