@@ -1,5 +1,5 @@
 #pragma once
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/packed.hpp"
 #include "sdpd/caloric.hpp"
 #include "sdpd/units.hpp"
 #include <limits>
@@ -23,46 +23,77 @@ class ParticleEos {
         e_unit_(units.specific_energy()), s_unit_(units.specific_entropy()), P_unit_(units.pressure()),
         C_min_(least_heat_capacity / units.K) {}
 
-  /// One particle's thermodynamics at its density rho; T, S, eps, P in reduced units.
+  /// The thermodynamics of one particle, or of a pack of them, at the density rho; T, S, eps, P in reduced
+  /// units.
+  template <class Isochore, class X>
   class AtDensity {
    public:
-    double energy(double T) const { return isochore_.energy(T * p_.T_unit_) / p_.e_unit_; }
-    double entropy(double T) const { return isochore_.entropy(T * p_.T_unit_) / p_.s_unit_; }
-    double pressure(double T) const { return isochore_.pressure(T * p_.T_unit_) / p_.P_unit_; }
-    double temperature_from_energy(double eps, double T_guess) const {
-      return isochore_.temperature_from_energy(eps * p_.e_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
+    X energy(X T) const { return isochore_.energy(T * p_.T_unit_) / p_.e_unit_; }
+    X entropy(X T) const { return isochore_.entropy(T * p_.T_unit_) / p_.s_unit_; }
+    X pressure(X T) const { return isochore_.pressure(T * p_.T_unit_) / p_.P_unit_; }
+    X heat_capacity(X T) const { return isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_; }
+    /// -(dC/dT)/(2 C^3), see Caloric
+    X curvature(X T, X C) const {
+      X const slope = isochore_.heat_capacity_slope(T * p_.T_unit_) * p_.T_unit_ / p_.s_unit_;
+      return -0.5 * slope / (C * C * C);
     }
-    double temperature_from_entropy(double S, double T_guess) const {
-      return isochore_.temperature_from_entropy(S * p_.s_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
+    X temperature_from_energy(X eps, X T_guess) const {
+      if constexpr (std::is_same_v<X, double>)
+        return isochore_.temperature_from_energy(eps * p_.e_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
+      else
+        return fitting::temperature_from_energy(isochore_, eps * p_.e_unit_, T_guess * p_.T_unit_) /
+               p_.T_unit_;
+    }
+    X temperature_from_entropy(X S, X T_guess) const {
+      if constexpr (std::is_same_v<X, double>)
+        return isochore_.temperature_from_entropy(S * p_.s_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
+      else
+        return fitting::temperature_from_entropy(isochore_, S * p_.s_unit_, T_guess * p_.T_unit_) /
+               p_.T_unit_;
     }
     Caloric caloric(double T) const {
-      double const c = isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_;
-      if (!(c > p_.C_min_))
-        refuse(T, c);
-      double const slope = isochore_.heat_capacity_slope(T * p_.T_unit_) * p_.T_unit_ / p_.s_unit_;
-      return {.T_0 = T,
-              .inverse_C_0 = 1 / c,
-              .curvature = -0.5 * slope / (c * c * c),
-              .limit = has_constant_heat_capacity<Eos> ? std::numeric_limits<double>::infinity()
-                                                       : caloric_reach * T};
+      double const C = heat_capacity(T);
+      if (!(C > p_.C_min_))
+        refuse(T, C);
+      return {.T_0 = T, .inverse_C_0 = 1 / C, .curvature = curvature(T, C), .limit = reach(T)};
     }
-    double heat_capacity(double T) const { return isochore_.heat_capacity(T * p_.T_unit_) / p_.s_unit_; }
+    /// The same for `count` lanes, written where the mask says.
+    void store_calorics(fitting::Pack T, fitting::PackMask where, int count, Caloric* to) const {
+      fitting::Pack const C = heat_capacity(T), inverse_C = 1.0 / C, bend = curvature(T, C);
+      for (int lane = 0; lane < count; ++lane)
+        if (where[lane])
+          to[lane] = {T.v[lane], inverse_C.v[lane], bend.v[lane], reach(T.v[lane])};
+    }
+    /// Lanes at whose temperatures the model holds and makes particles.
+    fitting::PackMask covered(fitting::Pack T) const {
+      return fitting::covers(p_.eos_, isochore_.density(), T * p_.T_unit_) & (heat_capacity(T).v > p_.C_min_);
+    }
 
    private:
     friend class ParticleEos;
-    [[noreturn]] void refuse(double T, double c) const {
+    static double reach(double T) {
+      return has_constant_heat_capacity<Eos> ? std::numeric_limits<double>::infinity() : caloric_reach * T;
+    }
+    [[noreturn]] void refuse(double T, double C) const {
       throw PhysicsError(fmt::format(
           "its heat capacity at density {:.6g} and temperature {:.6g} (reduced) is "
           "{:.4g} k_B, not above the {} k_B below which friction turns negative; "
           "take larger particles",
-          isochore_.density() / p_.rho_unit_, T, least_heat_capacity * c / p_.C_min_, least_heat_capacity));
+          isochore_.density() / p_.rho_unit_, T, least_heat_capacity * C / p_.C_min_, least_heat_capacity));
     }
-    AtDensity(ParticleEos const& p, double rho) : p_(p), isochore_(p.eos_.isochore(rho * p.rho_unit_)) {}
+    AtDensity(ParticleEos const& p, Isochore isochore) : p_(p), isochore_(std::move(isochore)) {}
     ParticleEos const& p_;
-    decltype(std::declval<Eos const&>().isochore(1.0)) isochore_;
+    Isochore isochore_;
   };
 
-  [[gnu::noinline]] AtDensity at(double rho) const { return AtDensity(*this, rho); }
+  [[gnu::noinline]] auto at(double rho) const {
+    auto isochore = eos_.isochore(rho * rho_unit_);
+    return AtDensity<decltype(isochore), double>(*this, std::move(isochore));
+  }
+  [[gnu::noinline]] auto at(fitting::Pack rho) const requires fitting::PackedModel<Eos> {
+    auto isochore = fitting::packed_isochore(eos_, rho * rho_unit_);
+    return AtDensity<decltype(isochore), fitting::Pack>(*this, std::move(isochore));
+  }
 
  private:
   Eos eos_;

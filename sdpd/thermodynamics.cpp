@@ -1,9 +1,45 @@
 #include "sdpd/thermodynamics.hpp"
 #include "fitting/eos/centre_of_mass_free.hpp"
+#include "sdpd/packed_places.hpp"
 #include "sdpd/particle_eos.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
+
+using fitting::Pack, fitting::PackMask;
+
+/// The given quantity of a particle determines its temperature, and that the others.
+struct FromEntropy {
+  static void solve(Particles& particles, std::size_t i, auto const& at) {
+    double const T = at.temperature_from_entropy(particles.S[i], particles.T[i]);
+    particles.T[i] = T, particles.eps[i] = at.energy(T);
+  }
+  /// Returns the lanes that it solved.
+  static PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at) {
+    Pack const T = at.temperature_from_entropy(places.load(particles.S), places.load(particles.T));
+    PackMask const fine = at.covered(T);
+    places.store(T, fine, particles.T);
+    places.store(at.energy(T), fine, particles.eps);
+    return fine;
+  }
+};
+struct FromEnergy {
+  static void solve(Particles& particles, std::size_t i, auto const& at) {
+    double const T = at.temperature_from_energy(particles.eps[i], particles.T[i]);
+    particles.T[i] = T, particles.S[i] = at.entropy(T);
+  }
+  static PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at) {
+    Pack const T = at.temperature_from_energy(places.load(particles.eps), places.load(particles.T));
+    PackMask const fine = at.covered(T);
+    places.store(T, fine, particles.T);
+    places.store(at.entropy(T), fine, particles.S);
+    return fine;
+  }
+};
+struct FromTemperature {
+  static void solve(Particles&, std::size_t, auto const&) {}
+  static PackMask solve(Particles&, PackedPlaces const&, auto const&) { return ~PackMask{}; }
+};
 
 template <fitting::EquationOfState Eos>
 class ThermodynamicsOf final : public Thermodynamics {
@@ -11,27 +47,17 @@ class ThermodynamicsOf final : public Thermodynamics {
   explicit ThermodynamicsOf(ParticleEos<Eos> eos) : eos_(std::move(eos)) {}
 
   void from_entropy(Particles& particles, Range range, Failure& failure) const override {
-    for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
-      double const T = at.temperature_from_entropy(particles.S[i], particles.T[i]);
-      particles.T[i] = T;
-      particles.eps[i] = at.energy(T);
-      set_response(particles, i, at);
-    });
+    renew<FromEntropy>(particles, range, failure);
   }
   void from_energy(Particles& particles, Range range, Failure& failure) const override {
-    for_each(particles, range, failure, [&](std::size_t i, auto const& at) {
-      particles.T[i] = at.temperature_from_energy(particles.eps[i], particles.T[i]);
-      particles.S[i] = at.entropy(particles.T[i]);
-      set_response(particles, i, at);
-    });
+    renew<FromEnergy>(particles, range, failure);
   }
   void response(Particles& particles, Range range, Failure& failure) const override {
-    for_each(particles, range, failure,
-             [&](std::size_t i, auto const& at) { set_response(particles, i, at); });
+    renew<FromTemperature>(particles, range, failure);
   }
   void energy_from_temperature(Particles& particles, Range range, Failure& failure) const override {
-    for_each(particles, range, failure,
-             [&](std::size_t i, auto const& at) { particles.eps[i] = at.energy(particles.T[i]); });
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      reported(particles, i, failure, [&](auto const& at) { particles.eps[i] = at.energy(particles.T[i]); });
   }
   ThermalState state(Particles const& particles, Index i, double eps) const override {
     auto const at = eos_.at(particles.rho[i]);
@@ -48,20 +74,51 @@ class ThermodynamicsOf final : public Thermodynamics {
 
  private:
   template <class F>
-  void for_each(Particles const& particles, Range range, Failure& failure, F const& f) const {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      try {
-        f(i, eos_.at(particles.rho[i]));
-      } catch (std::exception const& error) {
-        failure.report(particles.id[i], error.what());
-      }
+  void reported(Particles const& particles, std::size_t i, Failure& failure, F const& f) const {
+    try {
+      f(eos_.at(particles.rho[i]));
+    } catch (std::exception const& error) {
+      failure.report(particles.id[i], error.what());
     }
   }
-  /// Not inlined: a restart must find the bits of the stopped run, and only the same machine code rounds
-  /// alike.
+  template <class From>
+  void renew(Particles& particles, Range range, Failure& failure) const {
+    if constexpr (fitting::PackedModel<Eos>) {
+      for (std::size_t first = range.begin; first < range.end; first += Pack::size)
+        renew<From>(particles, PackedPlaces(first, range.end), failure);
+    } else {
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        reported(particles, i, failure, [&](auto const& at) {
+          From::solve(particles, i, at);
+          set_response(particles, i, at);
+        });
+    }
+  }
+  /// Lanes that fail go the careful way, one by one, so that what becomes of a particle does not depend on
+  /// its neighbours in memory.
+  template <class From>
+  void renew(Particles& particles, PackedPlaces const& places, Failure& failure) const {
+    auto const at = eos_.at(places.load(particles.rho));
+    places.for_each_outside(From::solve(particles, places, at), [&](std::size_t i) {
+      reported(particles, i, failure, [&](auto const& alone) { From::solve(particles, i, alone); });
+    });
+    places.for_each_outside(set_responses(particles, places, at), [&](std::size_t i) {
+      reported(particles, i, failure, [&](auto const& alone) { set_response(particles, i, alone); });
+    });
+  }
+  /// Not inlined, both: a restart must find the bits of the stopped run, and only the same machine code
+  /// rounds alike.
   [[gnu::noinline]] static void set_response(Particles& particles, std::size_t i, auto const& at) {
     particles.P[i] = at.pressure(particles.T[i]);
     particles.caloric[i] = at.caloric(particles.T[i]);
+  }
+  [[gnu::noinline]] static PackMask set_responses(Particles& particles, PackedPlaces const& places,
+                                                  auto const& at) {
+    Pack const T = places.load(particles.T);
+    PackMask const fine = at.covered(T);
+    places.store(at.pressure(T), fine, particles.P);
+    at.store_calorics(T, fine, places.count, &particles.caloric[places.first]);
+    return fine;
   }
 
   ParticleEos<Eos> eos_;

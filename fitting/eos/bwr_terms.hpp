@@ -88,11 +88,32 @@ std::array<X, 2 * exponentials + 2> density_powers(X rho) {
   return power;
 }
 
+/// Whichever of the two keeps the digits; a pack that lies on both sides takes each lane from its own.
+template <class X>
+void careful_exponential_functions(X rho_2, X z, X F, double gamma, X* G) {
+  if (real_part(z) < 1.0)
+    exponential_functions_at_low_density(rho_2, z, F, gamma, G);
+  else
+    exponential_functions(z, F, gamma, G);
+}
+inline void careful_exponential_functions(Pack rho_2, Pack z, Pack F, double gamma, Pack* G) {
+  PackMask const low = z.v < 1.0;
+  if (!all_of(low))
+    exponential_functions(z, F, gamma, G);
+  if (all_of(~low))
+    return;
+  std::array<Pack, exponentials> at_low_density;
+  exponential_functions_at_low_density(rho_2, z, F, gamma, at_low_density.data());
+  for (int i = 0; i < exponentials; ++i)
+    G[i] = select(low, at_low_density[i], G[i]);
+}
+
 template <class X>
 DensityFunctions<X> density_functions(X rho, double gamma) {
+  using std::exp;
   DensityFunctions<X> basis;
   auto const power = density_powers(rho);
-  X const z = gamma * power[2], F = std::exp(-z);
+  X const z = gamma * power[2], F = exp(-z);
   for (int i = 1; i <= polynomials; ++i) {
     basis.f[i - 1] = power[i] * (1.0 / i);
     basis.p[i - 1] = power[i + 1];
@@ -103,10 +124,7 @@ DensityFunctions<X> density_functions(X rho, double gamma) {
     basis.q[polynomials + i - 1] = F * power[2 * i] * (2.0 * i + 1.0 - 2.0 * z);
   }
   X* const G = basis.f.data() + polynomials;
-  if (real_part(z) < 1.0)
-    exponential_functions_at_low_density(power[2], z, F, gamma, G);
-  else
-    exponential_functions(z, F, gamma, G);
+  careful_exponential_functions(power[2], z, F, gamma, G);
   return basis;
 }
 
@@ -137,9 +155,9 @@ TemperatureSeries<X> gather(Matrix const& M, std::array<X, densities> const& f) 
     for (int m = 0; m < series_terms; ++m)
       series.c[m] = sum[m];
   } else {
-    for (int d = 0; d < densities; ++d)
-      for (int m = 0; m < series_terms; ++m)
-        series.c[m] += f[d] * M.rows[d][m];
+    series.c.fill(0.0);
+    for (auto const& [d, m] : table)
+      series.c[m] += f[d] * M.rows[d][m];
   }
   return series;
 }

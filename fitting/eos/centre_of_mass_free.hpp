@@ -14,7 +14,10 @@ class CentreOfMassFreeIsochore {
 
   X density() const { return inner_.density(); }
   X energy(X T) const { return inner_.energy(T) - 1.5 * r_ * T; }
-  X entropy(X T) const { return inner_.entropy(T) - r_ * (1.5 * std::log(T) - std::log(inner_.density())); }
+  X entropy(X T) const {
+    using std::log;
+    return inner_.entropy(T) - r_ * (1.5 * log(T) - log(inner_.density()));
+  }
   X pressure(X T) const { return inner_.pressure(T) - inner_.density() * r_ * T; }
   X heat_capacity(X T) const { return inner_.heat_capacity(T) - 1.5 * r_; }
   X heat_capacity_slope(X T) const { return inner_.heat_capacity_slope(T); }
@@ -76,6 +79,13 @@ class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>> {
     using Inner = decltype(bulk_.isochore(rho));
     return CentreOfMassFreeIsochore<Inner, X>(bulk_.isochore(rho), r_, T_min_, T_max_);
   }
+  /// As those of the bulk, where it has them.
+  auto packed_isochore(Pack rho) const requires requires(E const& bulk) { bulk.packed_isochore(rho); }
+  {
+    using Inner = decltype(bulk_.packed_isochore(rho));
+    return CentreOfMassFreeIsochore<Inner, Pack>(bulk_.packed_isochore(rho), r_, T_min_, T_max_);
+  }
+  PackMask covers(Pack rho, Pack T) const { return bulk_.covers(rho, T); }
   void require_temperature(double T, double rho) const { bulk_.energy_from_temperature(T, rho); }
   double temperature_guess() const { return std::max(T_min_, 0.05 * T_max_); }
   Domain domain() const { return bulk_.domain(); }
@@ -94,7 +104,7 @@ class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>> {
 
 /// The same in closed form for models whose isochores are linear: they stay linear.
 template <EquationOfState E>
-  requires LinearModel<E>
+requires LinearModel<E>
 class CentreOfMassFree<E> : public LinearEos<CentreOfMassFree<E>> {
  public:
   static constexpr std::string_view name = "centre-of-mass-free model";

@@ -16,8 +16,8 @@ struct Domain {
 /// on the density once, in its constructor. All quantities per unit mass.
 ///
 /// The two inversions are safeguarded Newton iterations in T which start from `T_guess` (any positive number;
-/// a good one makes them cheap) and converge to round-off. They throw PhysicsError, never return a NaN, when no
-/// temperature T > 0 of the model has that energy or entropy.
+/// a good one makes them cheap) and converge to round-off. They throw PhysicsError, never return a NaN, when
+/// no temperature T > 0 of the model has that energy or entropy.
 template <class I>
 concept Isochore = requires(I const& isochore, double x, double T_guess) {
   { isochore.energy(x) } -> std::same_as<double>;              // e(T)
@@ -35,16 +35,16 @@ concept Isochore = requires(I const& isochore, double x, double T_guess) {
 template <class E>
 concept EquationOfState = requires(E const& eos, double a, double rho) {
   { eos.isochore(rho) } -> Isochore;
-  { eos.entropy(a, rho) } -> std::same_as<double>;             // s(e, rho)
-  { eos.energy_from_entropy(a, rho) } -> std::same_as<double>; // e(s, rho)
-  { eos.temperature(a, rho) } -> std::same_as<double>;         // T(e, rho)
-  { eos.pressure(a, rho) } -> std::same_as<double>;            // P(e, rho)
-  { eos.heat_capacity(a, rho) } -> std::same_as<double>;       // c_v(e, rho)
-  { eos.sound_speed(a, rho) } -> std::same_as<double>;         // c(e, rho)
+  { eos.entropy(a, rho) } -> std::same_as<double>;                 // s(e, rho)
+  { eos.energy_from_entropy(a, rho) } -> std::same_as<double>;     // e(s, rho)
+  { eos.temperature(a, rho) } -> std::same_as<double>;             // T(e, rho)
+  { eos.pressure(a, rho) } -> std::same_as<double>;                // P(e, rho)
+  { eos.heat_capacity(a, rho) } -> std::same_as<double>;           // c_v(e, rho)
+  { eos.sound_speed(a, rho) } -> std::same_as<double>;             // c(e, rho)
   { eos.energy_from_temperature(a, rho) } -> std::same_as<double>; // e(T, rho)
   { eos.domain() } -> std::same_as<Domain>;
-  { eos.molecular_mass() } -> std::same_as<double>;   // mass m0 of one atom or molecule
-  { eos.boltzmann() } -> std::same_as<double>;        // k_B in the model's units
+  { eos.molecular_mass() } -> std::same_as<double>; // mass m0 of one atom or molecule
+  { eos.boltzmann() } -> std::same_as<double>;      // k_B in the model's units
 };
 
 } // namespace mesobridge::fitting

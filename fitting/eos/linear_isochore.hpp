@@ -32,7 +32,10 @@ class BasicLinearIsochore {
 
   X density() const { return rho_; }
   X energy(X T) const { return law_.E + c_v_ * T; }
-  X entropy(X T) const { return c_v_ * (std::log(T) - law_.phi); }
+  X entropy(X T) const {
+    using std::log;
+    return c_v_ * (log(T) - law_.phi);
+  }
   X pressure(X T) const { return law_.P + c_v_ * rho_ * law_.Gamma * T; }
   X heat_capacity(X) const { return c_v_; }
   X heat_capacity_slope(X) const { return 0.0; }
@@ -40,14 +43,20 @@ class BasicLinearIsochore {
   /// (dP/drho) at constant T
   X pressure_density_slope(X T) const { return law_.P_slope + c_v_ * law_.rho_Gamma_slope * T; }
 
+  /// Inversions for any number type, whose results may lie outside the model.
+  X unchecked_temperature_from_energy(X e) const { return (e - law_.E) / c_v_; }
+  X unchecked_temperature_from_entropy(X s) const {
+    using std::exp;
+    return exp(s / c_v_ + law_.phi);
+  }
   double temperature_from_energy(double e, double /*T_guess*/) const {
-    double const T = (e - law_.E) / c_v_;
+    double const T = unchecked_temperature_from_energy(e);
     if (!(T > 0 && std::isfinite(T)))
       refuse("energy", e, law_.E);
     return T;
   }
   double temperature_from_entropy(double s, double /*T_guess*/) const {
-    double const T = std::exp(s / c_v_ + law_.phi);
+    double const T = unchecked_temperature_from_entropy(s);
     if (!(T > 0 && std::isfinite(T)))
       refuse("entropy", s, -std::numeric_limits<double>::infinity());
     return T;

@@ -38,6 +38,13 @@ class LjBwr {
       refuse_density(real_part(rho));
     return {set_, matrix_, scale_, rho};
   }
+  /// The same without looking at the densities.
+  BasicLjBwrIsochore<Pack> packed_isochore(Pack rho) const { return {set_, matrix_, scale_, rho}; }
+  /// The lanes in which such an isochore holds.
+  PackMask covers(Pack rho, Pack T) const {
+    double const T_low = set_.T_low * scale_.temperature, T_max = set_.T_max * scale_.temperature;
+    return (rho.v > 0) & (rho.v <= rho_max_) & (T.v >= T_low) & (T.v <= T_max);
+  }
 
   double temperature(double e, double rho) const {
     return isochore(rho).temperature_from_energy(e, scale_.temperature);

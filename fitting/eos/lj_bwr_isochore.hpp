@@ -16,7 +16,7 @@ struct LjBwrSet {
 
 /// The BWR equation at one density: the 32 parameters collapse into a few powers of temperature.
 /// All arguments and results in the model's units (LjScale); temperatures must be > 0.
-/// X is double, or std::complex<double> for derivatives by complex steps.
+/// X is double, std::complex<double> for derivatives by complex steps, or Pack for many states at once.
 template <class X>
 class BasicLjBwrIsochore {
  public:
@@ -34,8 +34,9 @@ class BasicLjBwrIsochore {
     return e_unit() * (1.5 * t + A_.energy(t));
   }
   X entropy(X T) const {
+    using std::log, std::sqrt;
     X const t = reduced(T);
-    return scale_.specific_entropy() * (std::log(t * std::sqrt(t) / rho_) + A_.entropy(t));
+    return scale_.specific_entropy() * (log(t * sqrt(t) / rho_) + A_.entropy(t));
   }
   X heat_capacity(X T) const { return scale_.specific_entropy() * (1.5 + A_.heat_capacity(reduced(T))); }
   X heat_capacity_slope(X T) const {

@@ -51,7 +51,31 @@ struct Pack {
   friend Pack& operator+=(Pack& a, Pack b) {
     return a = a + b;
   }
+  friend Pack& operator*=(Pack& a, Pack b) {
+    return a = a * b;
+  }
 };
+
+/// Truth in every lane: all bits set, or none.
+using PackMask = Pack::Integers;
+
+/// mask ? a : b
+inline Pack select(PackMask mask, Pack a, Pack b) {
+  return Pack::Vector(mask ? a.v : b.v);
+}
+
+/// Whether low < x < high, lane by lane; false for a NaN.
+inline PackMask between(Pack x, double low, double high) {
+  return (x.v > low) & (x.v < high);
+}
+
+/// Whether the mask is true in every lane.
+inline bool all_of(PackMask mask) {
+  std::int64_t all = -1;
+  for (int lane = 0; lane < Pack::size; ++lane)
+    all &= mask[lane];
+  return all != 0;
+}
 
 /// x >= 0 ? not_negative : negative
 inline Pack by_sign(Pack x, double not_negative, double negative) {
@@ -117,22 +141,22 @@ inline Pack log(Pack x) {
   return n * pack::ln_2_high + (2.0 * s + (s * z * pack::polynomial(z, series) + n * pack::ln_2_low));
 }
 
+/// The square root of x >= 0, correctly rounded.
+inline Pack sqrt(Pack x) {
+  Pack root;
+  for (int lane = 0; lane < Pack::size; ++lane)
+    root.v[lane] = __builtin_sqrt(x.v[lane]);
+  return root;
+}
+
 /// Whether 0 < x < bound in all of them; false for a NaN.
 inline bool all_between_zero_and(Pack x, double bound) {
-  auto const inside = (x.v > 0) & (x.v < bound);
-  std::int64_t all = -1;
-  for (int lane = 0; lane < Pack::size; ++lane)
-    all &= inside[lane];
-  return all != 0;
+  return all_of(between(x, 0, bound));
 }
 
 /// Whether low <= x <= high in all of them; false for a NaN.
 inline bool all_within(Pack x, double low, double high) {
-  auto const inside = (x.v >= low) & (x.v <= high);
-  std::int64_t all = -1;
-  for (int lane = 0; lane < Pack::size; ++lane)
-    all &= inside[lane];
-  return all != 0;
+  return all_of((x.v >= low) & (x.v <= high));
 }
 
 } // namespace mesobridge::fitting

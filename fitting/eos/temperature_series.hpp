@@ -1,7 +1,9 @@
 #pragma once
+#include "fitting/eos/pack.hpp"
 #include <array>
 #include <cmath>
 #include <complex>
+#include <type_traits>
 
 namespace mesobridge::fitting {
 
@@ -22,33 +24,38 @@ struct TemperatureSeries {
   std::array<X, terms> c{};
 
   X value(X T) const {
+    using std::sqrt;
     X const t = 1.0 / T;
-    return c[0] * T + c[1] * std::sqrt(T) + c[2] + t * (c[3] + t * (c[4] + t * (c[5] + t * c[6])));
+    return c[0] * T + c[1] * sqrt(T) + c[2] + t * (c[3] + t * (c[4] + t * (c[5] + t * c[6])));
   }
   /// -dA/dT
   X entropy(X T) const {
+    using std::sqrt;
     X const t = 1.0 / T;
     return t * t * (c[3] + t * (2.0 * c[4] + t * (3.0 * c[5] + t * (4.0 * c[6])))) - c[0] -
-           0.5 * c[1] * t * std::sqrt(T);
+           0.5 * c[1] * t * sqrt(T);
   }
   /// A - T dA/dT
   X energy(X T) const {
+    using std::sqrt;
     X const t = 1.0 / T;
-    return 0.5 * c[1] * std::sqrt(T) + c[2] +
+    return 0.5 * c[1] * sqrt(T) + c[2] +
            t * (2.0 * c[3] + t * (3.0 * c[4] + t * (4.0 * c[5] + t * (5.0 * c[6]))));
   }
   /// -T d^2A/dT^2
   X heat_capacity(X T) const {
+    using std::sqrt;
     X const t = 1.0 / T;
-    return 0.25 * c[1] * t * std::sqrt(T) -
+    return 0.25 * c[1] * t * sqrt(T) -
            t * t * (2.0 * c[3] + t * (6.0 * c[4] + t * (12.0 * c[5] + t * (20.0 * c[6]))));
   }
   /// d(-T d^2A/dT^2)/dT
   X heat_capacity_slope(X T) const {
+    using std::sqrt;
     X const t = 1.0 / T;
     return t * t *
            (t * (4.0 * c[3] + t * (18.0 * c[4] + t * (48.0 * c[5] + t * (100.0 * c[6])))) -
-            0.125 * c[1] * std::sqrt(T));
+            0.125 * c[1] * sqrt(T));
   }
 };
 
@@ -57,6 +64,7 @@ struct TemperatureSeries {
 ///   e = e_low + C (T - T_low),  s = s_low + C ln(T/T_low),  A = e - T s.
 /// The continuation is linear in the coefficients; hence the series of the pressure and of its density
 /// derivative continue by the same formula, and all stay derivatives of one free energy.
+/// A pack must not hold temperatures below T_low.
 template <class X>
 class ContinuedSeries {
  public:
@@ -70,10 +78,16 @@ class ContinuedSeries {
   double T_low() const { return T_low_; }
 
  private:
-  bool above(X T) const { return real_part(T) >= T_low_; }
+  bool above(X T) const {
+    if constexpr (std::is_same_v<X, Pack>)
+      return true;
+    else
+      return real_part(T) >= T_low_;
+  }
   X cold_entropy(X T) const {
+    using std::log;
     X const low = T_low_;
-    return series_.entropy(low) + series_.heat_capacity(low) * std::log(T / T_low_);
+    return series_.entropy(low) + series_.heat_capacity(low) * log(T / T_low_);
   }
   X cold_energy(X T) const {
     X const low = T_low_;
