@@ -36,6 +36,12 @@ class InternalEnergies final : public Thermodynamics {
   Caloric caloric(Particles const&, Index, double eps, double T_guess) const override {
     return caloric(temperature(eps, T_guess));
   }
+  std::optional<double> constant_heat_capacity() const override {
+    if constexpr (Model::has_constant_heat_capacity)
+      return model_.heat_capacity(T_unit_);
+    else
+      return std::nullopt;
+  }
   double heat_capacity(Particles const& particles, Index i) const override {
     return model_.heat_capacity(particles.T[i] * T_unit_);
   }

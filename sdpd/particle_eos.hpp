@@ -3,6 +3,7 @@
 #include "sdpd/caloric.hpp"
 #include "sdpd/units.hpp"
 #include <limits>
+#include <optional>
 
 namespace mesobridge::sdpd {
 
@@ -85,6 +86,13 @@ class ParticleEos {
     ParticleEos const& p_;
     Isochore isochore_;
   };
+
+  std::optional<double> constant_heat_capacity() const {
+    if constexpr (has_constant_heat_capacity<Eos>)
+      return eos_.c_v() / s_unit_;
+    else
+      return std::nullopt;
+  }
 
   [[gnu::noinline]] auto at(double rho) const {
     auto isochore = eos_.isochore(rho * rho_unit_);

@@ -68,6 +68,7 @@ class ThermodynamicsOf final : public Thermodynamics {
     auto const at = eos_.at(particles.rho[i]);
     return at.caloric(at.temperature_from_energy(eps, T_guess));
   }
+  std::optional<double> constant_heat_capacity() const override { return eos_.constant_heat_capacity(); }
   double heat_capacity(Particles const& particles, Index i) const override {
     return eos_.at(particles.rho[i]).heat_capacity(particles.T[i]);
   }

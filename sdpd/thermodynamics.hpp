@@ -5,6 +5,7 @@
 #include "sdpd/particles.hpp"
 #include "sdpd/units.hpp"
 #include <memory>
+#include <optional>
 
 namespace mesobridge::sdpd {
 
@@ -40,6 +41,8 @@ class Thermodynamics {
   /// The expansion that begins at this energy, whose temperature is near T_guess.
   virtual Caloric caloric(Particles const& particles, Index i, double eps, double T_guess) const = 0;
 
+  /// The heat capacity of every particle at every state, where that is one number.
+  virtual std::optional<double> constant_heat_capacity() const = 0;
   /// Of particle i at its temperature.
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
 };

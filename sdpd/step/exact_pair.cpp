@@ -22,9 +22,9 @@ double acceptance_uniform(NoiseSource const& source, std::uint32_t low, std::uin
 }
 
 template <class Law>
-ExactPair<Law>::ExactPair(System const& system, FluctuatingBlock& block, LocalPair pair)
-    : system_(system), particles_{&block.particles()[pair.i], &block.particles()[pair.j]},
-      index_{block.index(pair.i), block.index(pair.j)} {
+ExactPair<Law>::ExactPair(System const& system, std::array<FluctuatingParticle*, 2> particles,
+                          std::array<Index, 2> places)
+    : system_(system), particles_(particles), index_(places) {
   at_ = {state(0, 0), state(1, 0)};
 }
 

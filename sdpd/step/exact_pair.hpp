@@ -17,9 +17,8 @@ class ExactPair {
     double uniform; ///< in [0, 1)
   };
 
-  /// The particles at places i and j of the block. Throws PhysicsError when one has left the equation of
-  /// state.
-  ExactPair(System const& system, FluctuatingBlock& block, LocalPair pair);
+  /// Two particles and their places in memory. Throws PhysicsError when one has left the equation of state.
+  ExactPair(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places);
 
   /// Makes the step, or not; counts what was not. Throws PhysicsError for SSA when the step leaves the
   /// equation of state. The caloric expansions are left as they are, though they may be out of reach.

@@ -1,6 +1,7 @@
 #include "sdpd/step/fluctuating_block.hpp"
 #include "sdpd/random_lanes.hpp"
 #include <bit>
+#include <optional>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -88,22 +89,72 @@ void FluctuatingBlock::copy_out(System& system) const {
   });
 }
 
-bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure) {
-  Index const i = index(local);
-  auto& [p, u, caloric] = particles_[local];
-  double& eps = system.particles.eps[i];
-  eps += u, u = 0;
+namespace {
+
+/// The caloric expansion at the energy eps; none, and a report to `failure`, when it has no temperature.
+std::optional<Caloric> expansion(System const& system, Index i, double eps, double T_guess,
+                                 Failure& failure) {
   try {
-    caloric = system.thermodynamics->caloric(system.particles, i, eps, caloric.T_0);
-    system.particles.caloric[i] = caloric;
-    return true;
+    return system.thermodynamics->caloric(system.particles, i, eps, T_guess);
   } catch (std::exception const& error) {
     failure.report(system.particles.id[i],
                    fmt::format("fluctuation and dissipation took its internal energy to {:.6g} (in K "
                                "k_B T): {}; take a shorter time step or larger particles",
                                eps, error.what()));
-    return false;
+    return std::nullopt;
   }
+}
+
+} // namespace
+
+bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure) {
+  Index const i = index(local);
+  auto& [p, u, caloric] = particles_[local];
+  double& eps = system.particles.eps[i];
+  eps += u, u = 0;
+  auto const renewed = expansion(system, i, eps, caloric.T_0, failure);
+  if (renewed)
+    system.particles.caloric[i] = caloric = *renewed;
+  return renewed.has_value();
+}
+
+void ConstantCapacityBlock::copy_in(System const& system, std::size_t block) {
+  auto const& from = system.particles;
+  copy_geometry(system, block);
+  C_ = system.thermodynamics->constant_heat_capacity().value();
+  rows_.resize(size() + 2);
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
+    Vec3 const& p = from.p[i];
+    rows_[local] = Row{p.x, p.y, p.z, C_ * from.caloric[i].T_0 + system.energy_gain[i]};
+  });
+  rows_[size()] = rows_[size() + 1] = Row{0, 0, 0, C_};
+}
+
+void ConstantCapacityBlock::copy_out(System& system) const {
+  auto& to = system.particles;
+  for_each_member(members(), [&](std::size_t local, Index i, Vec3 const&) {
+    Row const& row = rows_[local];
+    to.p[i] = {row[0], row[1], row[2]};
+    system.energy_gain[i] = row[3] - C_ * to.caloric[i].T_0;
+  });
+}
+
+FluctuatingParticle ConstantCapacityBlock::particle(System const& system, std::size_t local) const {
+  Row const& row = rows_[local];
+  Caloric const& caloric = system.particles.caloric[index(local)];
+  return {{row[0], row[1], row[2]}, row[3] - C_ * caloric.T_0, caloric};
+}
+
+void ConstantCapacityBlock::set_particle(System const& system, std::size_t local,
+                                         FluctuatingParticle const& particle) {
+  auto const& [p, u, caloric] = particle;
+  rows_[local] = Row{p.x, p.y, p.z, C_ * system.particles.caloric[index(local)].T_0 + u};
+}
+
+bool ConstantCapacityBlock::renew(System& system, std::size_t local, Failure& failure) {
+  auto const [p, u, caloric] = particle(system, local);
+  Index const i = index(local);
+  return expansion(system, i, system.particles.eps[i] + u, caloric.T_0, failure).has_value();
 }
 
 void MomentumBlock::copy_in(System const& system, std::size_t block) {

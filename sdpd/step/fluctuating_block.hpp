@@ -60,12 +60,45 @@ class FluctuatingBlock : public BlockGeometry {
 
   std::vector<FluctuatingParticle>& particles() { return particles_; }
 
+  FluctuatingParticle const& particle(System const&, std::size_t local) const { return particles_[local]; }
+  void set_particle(System const&, std::size_t local, FluctuatingParticle const& particle) {
+    particles_[local] = particle;
+  }
+
+  /// Whether the particle's expansion reaches its energy, and makes it a temperature > 0.
+  bool has_temperature(std::size_t local) const {
+    auto const& [p, u, caloric] = particles_[local];
+    return caloric.in_reach(u) && caloric.T(u) > 0;
+  }
   /// Begins a new caloric expansion at the particle's energy; false, and a report to `failure`, when that
   /// energy has no temperature.
   bool renew(System& system, std::size_t local, Failure& failure);
 
  private:
   std::vector<FluctuatingParticle> particles_;
+};
+
+/// A block's particles of one constant heat capacity C in a private copy: rows of p and C T, half of what
+/// particles with expansions of their own take.
+class ConstantCapacityBlock : public BlockGeometry {
+ public:
+  void copy_in(System const& system, std::size_t block);
+  void copy_out(System& system) const;
+
+  std::vector<Row>& particles() { return rows_; }
+  double heat_capacity() const { return C_; }
+
+  /// The particle as one with an expansion of its own.
+  FluctuatingParticle particle(System const& system, std::size_t local) const;
+  void set_particle(System const& system, std::size_t local, FluctuatingParticle const& particle);
+
+  bool has_temperature(std::size_t local) const { return rows_[local][3] > 0; }
+  /// Reports why it has none.
+  bool renew(System& system, std::size_t local, Failure& failure);
+
+ private:
+  std::vector<Row> rows_;
+  double C_ = 0;
 };
 
 /// A block's particles without energies in a private copy: momenta as rows.

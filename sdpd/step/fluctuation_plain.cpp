@@ -37,7 +37,8 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     } else {
       try {
         double const uniform = acceptance_uniform(sweep.noise.acceptance, low, high, bits);
-        ExactPair<Law>(system, block, pair)
+        ExactPair<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]},
+                       {block.index(pair.i), block.index(pair.j)})
             .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
       } catch (PhysicsError const& error) {
         failure.report(low, error.what());

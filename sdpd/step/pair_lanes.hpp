@@ -23,7 +23,23 @@ struct CaloricLanes {
   }
 };
 
+/// The same of particles with one constant heat capacity, counted from T = 0.
+struct ConstantCaloric {
+  double C, inverse;
+
+  [[gnu::always_inline]] Lanes T(Lanes const& u) const { return u * inverse; }
+  [[gnu::always_inline]] Lanes inverse_C(Lanes const&) const { return broadcast(inverse); }
+  [[gnu::always_inline]] static unsigned in_reach(Lanes const&) { return (1u << lane_count) - 1; }
+  [[gnu::always_inline]] Lanes entropy_change(Lanes const&, Lanes const&, Lanes const& log_ratio) const {
+    return C * log_ratio;
+  }
+};
+
 /// Eight particles, one of each pair.
+struct ConstantCapacityLanes {
+  Lanes p_x, p_y, p_z, u;
+  ConstantCaloric caloric;
+};
 struct ParticleLanes {
   Lanes p_x, p_y, p_z, u;
   CaloricLanes caloric;
