@@ -110,6 +110,35 @@ class NoiseLanes {
   return x * p;
 }
 
+namespace detail {
+
+inline constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+
+/// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
+[[gnu::always_inline]] inline WideFloats radius(WideBits const& c) {
+  WideFloats const u = (__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f) * 0x1p-31f;
+  return square_root(-2.0f * log_unit(u));
+}
+/// An angle in [-1, 1) half turns.
+[[gnu::always_inline]] inline WideFloats turn(WideBits const& c) {
+  return __builtin_convertvector(reinterpret<WideInts>(c & ~spare_of_turn), WideFloats) * 0x1p-31f;
+}
+[[gnu::always_inline]] inline WideFloats magnitude(WideFloats const& x) {
+  return reinterpret<WideFloats>(reinterpret<WideInts>(x) & ~sign_bit);
+}
+/// cos(pi t) = sin(pi (1/2 - |t|))
+[[gnu::always_inline]] inline WideFloats cosine(WideFloats const& turn) {
+  return sine_of_half_turn(0.5f - magnitude(turn));
+}
+/// sin(pi t) = sin(pi s) with s nearest to 0
+[[gnu::always_inline]] inline WideFloats sine(WideFloats const& turn) {
+  WideFloats const nearest = 0.5f - magnitude(magnitude(turn) - 0.5f);
+  WideInts const sign = reinterpret<WideInts>(turn) & sign_bit;
+  return sine_of_half_turn(reinterpret<WideFloats>(reinterpret<WideInts>(nearest) | sign));
+}
+
+} // namespace detail
+
 /// Three standard Gaussian numbers for each of sixteen pairs of ids, and random bits that are independent of
 /// them, by Box and Muller's method on Philox4x32-10. Single precision is enough: the law is right to 1e-7,
 /// and what the noise drives conserves momentum and energy to double round-off all the same. The largest
@@ -118,33 +147,27 @@ struct GaussianLanes {
   WideFloats x, y, z;
   WideBits bits; ///< spare_bits of them
 
-  [[gnu::always_inline]] GaussianLanes(NoiseLanes const& source, WideBits const& id_a, WideBits const& id_b) {
-    auto const [c0, c1, c2, c3] = source.generate(id_a, id_b);
-    WideFloats const radius_1 = radius(c0), radius_2 = radius(c2);
-    // The turns t in [-1, 1): cos(pi t) = sin(pi (1/2 - |t|)); sin(pi t) = sin(pi s) with s nearest to 0.
-    WideFloats const turn_1 = turn(c1), size_1 = magnitude(turn_1), size_2 = magnitude(turn(c3));
-    WideFloats const nearest = 0.5f - magnitude(size_1 - 0.5f);
-    WideInts const sign = reinterpret<WideInts>(turn_1) & sign_bit;
-    x = radius_1 * sine_of_half_turn(0.5f - size_1);
-    y = radius_1 * sine_of_half_turn(reinterpret<WideFloats>(reinterpret<WideInts>(nearest) | sign));
-    z = radius_2 * sine_of_half_turn(0.5f - size_2);
+  [[gnu::always_inline]] GaussianLanes(NoiseLanes const& source, WideBits const& id_a, WideBits const& id_b)
+      : GaussianLanes(source.generate(id_a, id_b)) {}
+  [[gnu::always_inline]] explicit GaussianLanes(NoiseLanes::Word const& word) {
+    auto const& [c0, c1, c2, c3] = word;
+    WideFloats const radius = detail::radius(c0), turn = detail::turn(c1);
+    x = radius * detail::cosine(turn);
+    y = radius * detail::sine(turn);
+    z = detail::radius(c2) * detail::cosine(detail::turn(c3));
     bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
   }
+};
 
- private:
-  static constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+/// The first of the three alone, with the same bits.
+struct OneGaussianLanes {
+  WideFloats x;
+  WideBits bits;
 
-  /// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
-  [[gnu::always_inline]] static WideFloats radius(WideBits const& c) {
-    WideFloats const u =
-        (__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f) * 0x1p-31f;
-    return square_root(-2.0f * log_unit(u));
-  }
-  [[gnu::always_inline]] static WideFloats turn(WideBits const& c) {
-    return __builtin_convertvector(reinterpret<WideInts>(c & ~spare_of_turn), WideFloats) * 0x1p-31f;
-  }
-  [[gnu::always_inline]] static WideFloats magnitude(WideFloats const& x) {
-    return reinterpret<WideFloats>(reinterpret<WideInts>(x) & ~sign_bit);
+  [[gnu::always_inline]] explicit OneGaussianLanes(NoiseLanes::Word const& word) {
+    auto const& [c0, c1, c2, c3] = word;
+    x = detail::radius(c0) * detail::cosine(detail::turn(c1));
+    bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
   }
 };
 

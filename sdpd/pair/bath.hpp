@@ -58,6 +58,13 @@ struct PairWeights {
   X par, perp;
 };
 
+/// The noise that a pair's step takes.
+enum class PairNoise {
+  vector, ///< three numbers as a vector that points from the smaller to the larger id
+  along,  ///< one along the line of centres
+  flow    ///< one of what the smaller id gets from the larger
+};
+
 /// The friction across the line of centres.
 enum class Across {
   none,   ///< there is none

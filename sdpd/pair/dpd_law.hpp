@@ -11,6 +11,7 @@ template <Across across_>
 struct DpdeLaw {
   static constexpr bool has_energies = true, measure_over_T = false;
   static constexpr Across across = across_;
+  static constexpr PairNoise noise = across == Across::none ? PairNoise::along : PairNoise::vector;
 
   AnyFrictionShape shape;
   double boltzmann;
@@ -34,6 +35,7 @@ template <Across across_>
 struct DpdLaw {
   static constexpr bool has_energies = false, measure_over_T = false;
   static constexpr Across across = across_;
+  static constexpr PairNoise noise = across == Across::none ? PairNoise::along : PairNoise::vector;
 
   AnyFrictionShape shape;
   double boltzmann;

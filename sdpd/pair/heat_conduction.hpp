@@ -16,6 +16,7 @@ struct HeatStep {
 class SdpdConduction {
  public:
   static constexpr Across across = Across::none;
+  static constexpr PairNoise noise = PairNoise::flow;
 
   SdpdConduction(double kappa, double boltzmann) : kappa_(kappa), boltzmann_(boltzmann) {
     require(kappa > 0 && std::isfinite(kappa), "thermal conductivity kappa", kappa, "must be > 0");
@@ -43,6 +44,7 @@ class SdpdConduction {
 /// alone.
 struct DpdeConduction {
   static constexpr Across across = Across::none;
+  static constexpr PairNoise noise = PairNoise::flow;
 
   AnyFrictionShape shape; ///< w as the friction along the line of centres
   double k_B;

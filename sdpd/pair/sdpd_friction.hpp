@@ -49,6 +49,7 @@ class SdpdFriction {
 struct SdpdLaw {
   static constexpr bool has_energies = true, measure_over_T = true;
   static constexpr Across across = Across::common;
+  static constexpr PairNoise noise = PairNoise::vector;
 
   SdpdFriction friction;
   double boltzmann;

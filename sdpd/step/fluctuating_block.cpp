@@ -24,33 +24,59 @@ void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Wei
   });
 }
 
-/// The noise of sixteen pairs, pointing from the smaller to the larger id.
-[[gnu::always_inline]] inline void prepare_noise(std::uint32_t const* ids, LocalPair const* pairs,
-                                                 NoiseLanes const& source, PairInputs& inputs,
-                                                 std::size_t first) {
-  WideBits const places = load<WideBits>(pairs); // i in the lower half of each word, j in the upper one
-  WideBits const a = gather(ids, places & 0xffffu), b = gather(ids, places >> 16);
-  WideBits const low = a < b ? a : b, high = a < b ? b : a;
-  GaussianLanes const G(source, low, high);
-  WideFloats const plus = 1.0f - WideFloats{}, sign = a < b ? plus : -plus;
-  store(sign * G.x, &inputs.G_x[first]);
-  store(sign * G.y, &inputs.G_y[first]);
-  store(sign * G.z, &inputs.G_z[first]);
+/// The random bits of sixteen pairs.
+struct PairBits {
+  NoiseLanes::Word word;
+  WideFloats sign; ///< +1 where the pair's first particle has the smaller id, else -1
+
+  [[gnu::always_inline]] PairBits(std::uint32_t const* ids, LocalPair const* pairs, NoiseLanes const& source)
+      : PairBits(load<WideBits>(pairs), ids, source) {}
+
+ private:
+  /// i in the lower half of each word, j in the upper one
+  [[gnu::always_inline]] PairBits(WideBits const& places, std::uint32_t const* ids, NoiseLanes const& source)
+      : PairBits(gather(ids, places & 0xffffu), gather(ids, places >> 16), source) {}
+  [[gnu::always_inline]] PairBits(WideBits const& a, WideBits const& b, NoiseLanes const& source)
+      : word(source.generate(a < b ? a : b, a < b ? b : a)) {
+    WideFloats const plus = 1.0f - WideFloats{};
+    sign = a < b ? plus : -plus;
+  }
+};
+static_assert(sizeof(WideBits) == wide_count * sizeof(LocalPair) &&
+              std::endian::native == std::endian::little);
+
+template <PairNoise noise>
+[[gnu::always_inline]] inline void store_noise(PairBits const& bits, PairInputs& inputs, std::size_t first) {
+  std::conditional_t<noise == PairNoise::vector, GaussianLanes, OneGaussianLanes> const G(bits.word);
   store(G.bits, &inputs.bits[first]);
+  if constexpr (noise == PairNoise::along) {
+    store(G.x, &inputs.G_x[first]);
+  } else {
+    store(bits.sign * G.x, &inputs.G_x[first]);
+  }
+  if constexpr (noise == PairNoise::vector) {
+    store(bits.sign * G.y, &inputs.G_y[first]);
+    store(bits.sign * G.z, &inputs.G_z[first]);
+  }
 }
 
+/// Bits first and Gaussian numbers from them afterwards, for some groups at a time: two short loops, of which
+/// the processor works on several turns at once, in place of a long one.
+template <PairNoise noise>
 void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair const> pairs,
                    NoiseLanes const& source, PairInputs& inputs) {
-  static_assert(sizeof(WideBits) == wide_count * sizeof(LocalPair) &&
-                std::endian::native == std::endian::little);
-  std::size_t first = 0;
-  for (; first + wide_count <= pairs.size(); first += wide_count)
-    prepare_noise(ids.data(), &pairs[first], source, inputs, first);
-  if (first == pairs.size())
-    return;
-  std::array<LocalPair, wide_count> last{};
-  std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), last.begin());
-  prepare_noise(ids.data(), last.data(), source, inputs, first);
+  thread_local std::vector<PairBits> bits;
+  bits.clear();
+  std::size_t k = 0;
+  for (; k + wide_count <= pairs.size(); k += wide_count)
+    bits.emplace_back(ids.data(), &pairs[k], source);
+  if (k < pairs.size()) {
+    std::array<LocalPair, wide_count> last{};
+    std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(k), pairs.end(), last.begin());
+    bits.emplace_back(ids.data(), last.data(), source);
+  }
+  for (std::size_t group = 0; group < bits.size(); ++group)
+    store_noise<noise>(bits[group], inputs, group * wide_count);
 }
 
 } // namespace
@@ -176,11 +202,11 @@ void MomentumBlock::copy_out(System& system) const {
 template <class Law>
 void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs) {
-  inputs.resize(pairs.size() + wide_count, Law::across);
+  inputs.resize(pairs.size() + wide_count, Law::across, Law::noise);
   with_weights(system, law, [&](auto const& weights) {
     prepare_directions<Law::across>(block.rows(), block.size(), weights, pairs, inputs);
   });
-  prepare_noise(block.ids(), pairs, NoiseLanes(source), inputs);
+  prepare_noise<Law::noise>(block.ids(), pairs, NoiseLanes(source), inputs);
 }
 
 template void prepare_pairs(System const&, SdpdLaw const&, BlockGeometry const&, std::span<LocalPair const>,

@@ -17,13 +17,16 @@ static_assert(sizeof(FluctuatingParticle) == sizeof(Lanes));
 /// What a pair's step needs and does not depend on the pairs before it: direction e = r/|r|, the weight of
 /// its friction (SDPD: chi = F/(rho_i rho_j)) and noise, as one array each.
 struct PairInputs {
-  std::vector<float> e_x, e_y, e_z, weight, G_x, G_y, G_z;
+  std::vector<float> e_x, e_y, e_z, weight;
+  std::vector<float> G_x, G_y, G_z; ///< the first alone where the noise is one number
   std::vector<float> weight_across; ///< for laws with Across::own
   std::vector<std::uint32_t> bits;  ///< spare random bits of the noise
 
-  void resize(std::size_t count, Across across) {
-    for (auto* values : {&e_x, &e_y, &e_z, &weight, &G_x, &G_y, &G_z})
+  void resize(std::size_t count, Across across, PairNoise noise) {
+    for (auto* values : {&e_x, &e_y, &e_z, &weight, &G_x})
       values->resize(count);
+    if (noise == PairNoise::vector)
+      G_y.resize(count), G_z.resize(count);
     if (across == Across::own)
       weight_across.resize(count);
     bits.resize(count);
@@ -140,8 +143,7 @@ void with_weights(System const&, Law const& law, F const& f) {
       law.shape);
 }
 
-/// Directions, weights and noise of some pairs of a block. The noise points from the smaller to the larger
-/// id. Lanes past the last pair hold finite numbers.
+/// Directions, weights and noise of some pairs of a block. Lanes past the last pair hold finite numbers.
 template <class Law>
 void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs);

@@ -70,6 +70,12 @@ class BlockSweep {
   bool renew(std::size_t local) {
     return block_.has_temperature(local) || block_.renew(system_, local, failure_);
   }
+  Vec3 noise(std::size_t k) const {
+    if constexpr (Law::noise == PairNoise::along)
+      return double{inputs_.G_x[k]} * Vec3{inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]};
+    else
+      return {inputs_.G_x[k], inputs_.G_y[k], inputs_.G_z[k]};
+  }
   void exact_step(LocalPair pair, std::size_t k) {
     auto const a = block_.ids()[pair.i], b = block_.ids()[pair.j];
     double const uniform =
@@ -81,7 +87,7 @@ class BlockSweep {
     std::array particles{block_.particle(system_, pair.i), block_.particle(system_, pair.j)};
     ExactPair<Law>(system_, {&particles[0], &particles[1]}, {block_.index(pair.i), block_.index(pair.j)})
         .step(scheme, {.e = {inputs_.e_x[k], inputs_.e_y[k], inputs_.e_z[k]}, .weight = {par, perp}},
-              {.G = {inputs_.G_x[k], inputs_.G_y[k], inputs_.G_z[k]}, .uniform = uniform}, sweep_, counts_);
+              {.G = noise(k), .uniform = uniform}, sweep_, counts_);
     block_.set_particle(system_, pair.i, particles[0]);
     block_.set_particle(system_, pair.j, particles[1]);
   }

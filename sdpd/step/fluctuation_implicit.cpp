@@ -67,7 +67,7 @@ void freeze(System const& system, Law const& law, double dt, NoiseSource const& 
         Law::across == Across::none ? FloatLanes{} : a_perp * bath.gamma_over_a * duration;
     FloatLanes const kick = square_root(bath.thermal * perp), kick_par = square_root(bath.thermal * par);
     auto const &e = input.e, &G = input.G;
-    FloatLanes const along = (kick_par - kick) * dot(e, G);
+    FloatLanes const along = (kick_par - kick) * input.G_along;
     store(e.x, &frozen.e_x[first]), store(e.y, &frozen.e_y[first]), store(e.z, &frozen.e_z[first]);
     store(perp, &frozen.perp[first]), store(par - perp, &frozen.extra[first]);
     store(kick * G.x + along * e.x, &frozen.n_x[first]);

@@ -29,7 +29,9 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     auto const low = std::min(block.ids()[pair.i], block.ids()[pair.j]),
                high = std::max(block.ids()[pair.i], block.ids()[pair.j]);
     auto const [g, bits] = gaussians_and_bits_reference(sweep.noise.pairs, low, high);
-    Vec3 const G = (low == block.ids()[pair.i] ? 1.0 : -1.0) * Vec3{g[0], g[1], g[2]};
+    Vec3 const G = Law::noise == PairNoise::along
+                       ? g[0] * e
+                       : (low == block.ids()[pair.i] ? 1.0 : -1.0) * Vec3{g[0], g[1], g[2]};
     PairWeights<double> const weight = weights(norm(r), 1 / norm(r), at_i[3], at_j[3]);
     ++counts.proposed;
     if constexpr (!Law::has_energies) {

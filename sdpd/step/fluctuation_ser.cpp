@@ -39,12 +39,12 @@ impulse(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sw
   VectorLanes<FloatLanes> const v{to_float(start.v.x), to_float(start.v.y), to_float(start.v.z)};
   auto const &e = input.e, &G = input.G;
   if constexpr (Law::across == Across::none) {
-    FloatLanes const along = sigma_par * dot(e, G) - gamma_par * dot(e, v);
+    FloatLanes const along = sigma_par * input.G_along - gamma_par * dot(e, v);
     return {to_double(along * e.x), to_double(along * e.y), to_double(along * e.z)};
   } else {
     FloatLanes const gamma_perp = a_perp * bath.gamma_over_a * dt,
                      sigma_perp = square_root(bath.thermal * gamma_perp);
-    FloatLanes const along = (gamma_perp - gamma_par) * dot(e, v) + (sigma_par - sigma_perp) * dot(e, G);
+    FloatLanes const along = (gamma_perp - gamma_par) * dot(e, v) + (sigma_par - sigma_perp) * input.G_along;
     return {to_double(sigma_perp * G.x - gamma_perp * v.x + along * e.x),
             to_double(sigma_perp * G.y - gamma_perp * v.y + along * e.y),
             to_double(sigma_perp * G.z - gamma_perp * v.z + along * e.z)};

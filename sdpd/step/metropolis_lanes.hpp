@@ -45,7 +45,7 @@ template <class Floats>
 noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats>::Directions const& back,
             InputLanes<Across::none, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
-  Floats const along_dv = dot(input.e, dv), noise = dot(input.e, input.G), noise2 = noise * noise;
+  Floats const along_dv = dot(input.e, dv), noise = input.G_along, noise2 = noise * noise;
   Floats const along = along_dv + back.par.decay * (dot(input.e, v) + along_dv);
   return {noise2 - square_over_variance(along * along, back.par.variance, noise2),
           ratio(there.par.variance, back.par.variance)};
@@ -58,7 +58,7 @@ noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats
             VectorLanes<Floats> const& dv) {
   auto const &e = input.e, &G = input.G;
   VectorLanes<Floats> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
-  Floats const along_dv = dot(e, dv), along_moved = dot(e, moved), noise = dot(e, G);
+  Floats const along_dv = dot(e, dv), along_moved = dot(e, moved), noise = input.G_along;
   Floats const along = along_dv + back.par.decay * along_moved;
   auto across = [&](Floats const& dv_k, Floats const& moved_k, Floats const& e_k) {
     return dv_k - along_dv * e_k + back.perp.decay * (moved_k - along_moved * e_k);

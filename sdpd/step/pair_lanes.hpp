@@ -63,10 +63,18 @@ template <Across across, class Floats>
 struct InputLanes {
   PairWeights<Floats> weight;
   VectorLanes<Floats> e, G;
+  Floats G_along; ///< e . G
 
   [[gnu::always_inline]] InputLanes(PairInputs const& from, std::size_t first)
-      : e{load<Floats>(&from.e_x[first]), load<Floats>(&from.e_y[first]), load<Floats>(&from.e_z[first])},
-        G{load<Floats>(&from.G_x[first]), load<Floats>(&from.G_y[first]), load<Floats>(&from.G_z[first])} {
+      : e{load<Floats>(&from.e_x[first]), load<Floats>(&from.e_y[first]), load<Floats>(&from.e_z[first])} {
+    Floats const x = load<Floats>(&from.G_x[first]);
+    if constexpr (across == Across::none) {
+      G_along = x;
+      G = {x * e.x, x * e.y, x * e.z};
+    } else {
+      G = {x, load<Floats>(&from.G_y[first]), load<Floats>(&from.G_z[first])};
+      G_along = dot(e, G);
+    }
     weight.par = weight.perp = load<Floats>(&from.weight[first]);
     if constexpr (across == Across::own)
       weight.perp = load<Floats>(&from.weight_across[first]);
@@ -92,11 +100,11 @@ velocity_change(typename Bath<Floats>::Directions const& step, InputLanes<across
   auto const& [par, perp] = step;
   auto const &e = input.e, &G = input.G;
   if constexpr (across == Across::none) {
-    Floats const along = par.decay * dot(e, v) + par.kick() * dot(e, G);
+    Floats const along = par.decay * dot(e, v) + par.kick() * input.G_along;
     return {along * e.x, along * e.y, along * e.z};
   } else {
     Floats const kick = perp.kick();
-    Floats const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * dot(e, G);
+    Floats const along = (par.decay - perp.decay) * dot(e, v) + (par.kick() - kick) * input.G_along;
     return {perp.decay * v.x + kick * G.x + along * e.x, perp.decay * v.y + kick * G.y + along * e.y,
             perp.decay * v.z + kick * G.z + along * e.z};
   }

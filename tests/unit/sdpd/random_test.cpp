@@ -80,6 +80,19 @@ TEST(Gaussians, AreTheReferenceInEveryLaneAndBringItsSpareBits) {
   }
 }
 
+TEST(Gaussians, AreTheFirstOfThreeWhereOneIsEnough) {
+  NoiseLanes const lanes(NoiseSource(5, Stream::conduction, 78));
+  WideBits a{}, b{};
+  for (std::uint32_t lane = 0; lane < wide_count; ++lane)
+    a[lane] = 7 * lane, b[lane] = 1000 - lane;
+  GaussianLanes const three(lanes, a, b);
+  OneGaussianLanes const one(lanes.generate(a, b));
+  for (std::size_t lane = 0; lane < wide_count; ++lane) {
+    EXPECT_EQ(one.x[lane], three.x[lane]);
+    EXPECT_EQ(one.bits[lane], three.bits[lane]);
+  }
+}
+
 TEST(Gaussians, DifferBetweenStepsStreamsAndSeeds) {
   auto const base = gaussians_reference(NoiseSource(1, Stream::fluctuation, 9), 4, 5);
   EXPECT_NE(base, gaussians_reference(NoiseSource(1, Stream::fluctuation, 10), 4, 5));
