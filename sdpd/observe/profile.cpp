@@ -1,0 +1,82 @@
+#include "sdpd/observe/profile.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+
+namespace mesobridge::sdpd {
+namespace {
+
+double component(Vec3 const& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// The slice of every particle.
+std::vector<std::size_t> slices_of(Snapshot const& now, Box const& box, Slices const& slices) {
+  double const per_length = static_cast<double>(slices.count) / component(box.edge, slices.axis);
+  std::vector<std::size_t> slice(now.q.size());
+  for (std::size_t i = 0; i < slice.size(); ++i) // the product may round up to the count itself
+    slice[i] =
+        std::min(static_cast<std::size_t>(component(now.q[i], slices.axis) * per_length), slices.count - 1);
+  return slice;
+}
+
+/// Turns sums over the slices' particles into means.
+template <class Value>
+void divide_by(std::vector<Value>& sums, std::vector<std::int64_t> const& number) {
+  for (std::size_t s = 0; s < sums.size(); ++s)
+    if (number[s] > 0)
+      sums[s] = sums[s] / static_cast<double>(number[s]);
+}
+
+/// Means over the slices' particles of f(i); empty when there is nothing to take the mean of.
+template <class F>
+std::vector<double> means(bool there, std::vector<std::size_t> const& slice,
+                          std::vector<std::int64_t> const& number, F const& f) {
+  std::vector<double> result(there ? number.size() : 0);
+  if (there)
+    for (std::size_t i = 0; i < slice.size(); ++i)
+      result[slice[i]] += f(i);
+  divide_by(result, number);
+  return result;
+}
+
+/// From the motion of each particle about the velocity of its slice.
+std::vector<double> kinetic_temperatures(Snapshot const& now, std::vector<std::size_t> const& slice,
+                                         Profile const& of, double boltzmann) {
+  std::vector<double> T(of.number.size());
+  for (std::size_t i = 0; i < slice.size(); ++i)
+    T[slice[i]] += norm2(now.p[i] - of.velocity[slice[i]]);
+  for (std::size_t s = 0; s < T.size(); ++s)
+    T[s] = of.number[s] > 1 ? T[s] / (3 * static_cast<double>(of.number[s] - 1) * boltzmann) : 0;
+  return T;
+}
+
+} // namespace
+
+Profile profile(Snapshot const& now, Box const& box, Slices const& slices, double boltzmann) {
+  require(slices.axis >= 0 && slices.axis <= 2, "axis of a profile", slices.axis, "must be 0, 1 or 2");
+  require(slices.count >= 1, "slices of a profile", slices.count, "must be >= 1");
+  bool const densities = !now.rho.empty(), energies = !now.T.empty();
+  auto const slice = slices_of(now, box, slices);
+  Profile of;
+  of.number.resize(slices.count), of.velocity.resize(slices.count);
+  for (std::size_t i = 0; i < slice.size(); ++i)
+    ++of.number[slice[i]], of.velocity[slice[i]] += now.p[i];
+  divide_by(of.velocity, of.number);
+  of.T_kin = kinetic_temperatures(now, slice, of, boltzmann);
+  of.T_int =
+      means(energies, slice, of.number, [&](std::size_t i) { return densities ? now.T[i] : 1 / now.T[i]; });
+  if (!densities)
+    for (double& T : of.T_int)
+      T = T > 0 ? 1 / T : 0;
+  of.rho = means(densities, slice, of.number, [&](std::size_t i) { return now.rho[i]; });
+  of.P_internal = means(densities, slice, of.number, [&](std::size_t i) { return now.P[i]; });
+  of.P = of.P_internal;
+  for (std::size_t s = 0; s < of.P.size(); ++s)
+    of.P[s] += of.rho[s] * boltzmann * of.T_kin[s];
+  if (!densities)
+    for (auto const number : of.number)
+      of.rho.push_back(static_cast<double>(number) * static_cast<double>(slices.count) / box.volume());
+  return of;
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,31 @@
+#pragma once
+#include "sdpd/simulation.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Slices of equal width across a box.
+struct Slices {
+  int axis = 0; ///< the one that they are perpendicular to: 0, 1, 2 for x, y, z
+  std::size_t count = 1;
+};
+
+/// What the particles of each slice are at one instant, in reduced units. A slice without particles has the
+/// number 0 and holds 0 in all that is a mean; so has T_kin with a single particle. Quantities that the
+/// method does not have are empty.
+struct Profile {
+  std::vector<std::int64_t> number; ///< of particles
+  std::vector<double> rho;    ///< mean of the particles' densities; mass per volume where they have none
+  std::vector<Vec3> velocity; ///< mean
+  /// sum |p - m <v>|^2/2m = 3/2 (number - 1) k_B T_kin: of the motion about the slice's own velocity.
+  std::vector<double> T_kin;
+  std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (theory sheet, sections 1, 2)
+  std::vector<double> P_internal; ///< SDPD: mean of the particles' pressures
+  std::vector<double> P; ///< SDPD: P_internal + rho k_B T_kin / m, with what the moving particles carry
+};
+
+/// Sums in the order of the ids, so that the result does not depend on the threads. `boltzmann` is k_B in
+/// reduced units: 1/K for SDPD, 1 for DPD and DPDE. Throws InputError for an axis that there is not, or no
+/// slices.
+Profile profile(Snapshot const& now, Box const& box, Slices const& slices, double boltzmann);
+
+} // namespace mesobridge::sdpd
