@@ -17,7 +17,7 @@ void append_instant(Store& store, std::string const& group, std::int64_t step, d
 } // namespace
 
 H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance)
-    : store_(file, Store::Mode::create), units_(units) {
+    : store_(file, Store::Mode::create, Store::Safety::marked), units_(units) {
   std::array<std::int64_t, 2> const format{1, 1};
   store_.set_attribute("h5md", "version", std::span<std::int64_t const>(format));
   store_.set_attribute("h5md/author", "name", std::string("unknown")); // the format demands the attribute
@@ -36,7 +36,7 @@ H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenanc
 }
 
 H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units units) {
-  Store store(file, Store::Mode::append);
+  Store store(file, Store::Mode::append, Store::Safety::marked);
   if (!store.has_attribute("h5md", "version"))
     throw InputError(fmt::format("'{}' is no H5MD file", file.string()));
   return H5mdWriter(std::move(store), units);

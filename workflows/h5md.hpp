@@ -9,8 +9,8 @@ namespace mesobridge::workflows {
 
 /// A trajectory of N particles in the H5MD 1.1 format (de Buyl, Colberg and Hofling, Comput. Phys. Commun.
 /// 185 (2014) 1546), which MDAnalysis, VMD and others open: one group of particles, `all`, with explicit
-/// steps and times, and scalar series under `observables`. Each frame is flushed: an interrupted run keeps
-/// what it wrote.
+/// steps and times, and scalar series under `observables`. Each frame is flushed; what
+/// was there at the last mark() survives the program's death at any moment.
 class H5mdWriter {
  public:
   /// What a number in the caller's units is worth in the file's: nm and ps for SI data (so length = 1e9,
@@ -48,6 +48,7 @@ class H5mdWriter {
                          std::string const& unit = "");
 
   void flush();
+  void mark() { store_.mark(); } ///< the frames so far are safe
   void close();
 
  private:

@@ -16,7 +16,7 @@ void append_one(Store& store, std::string const& path, std::int64_t value) {
 } // namespace
 
 VtkHdfWriter::VtkHdfWriter(std::filesystem::path const& file, Provenance const& provenance)
-    : store_(file, Store::Mode::create) {
+    : store_(file, Store::Mode::create, Store::Safety::marked) {
   std::array<std::int64_t, 2> const format{2, 0};
   store_.set_attribute("VTKHDF", "Version", std::span<std::int64_t const>(format));
   store_.set_ascii_attribute("VTKHDF", "Type", "UnstructuredGrid");
@@ -26,7 +26,7 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path const& file, Provenance const& 
 }
 
 VtkHdfWriter VtkHdfWriter::continue_file(std::filesystem::path const& file) {
-  Store store(file, Store::Mode::append);
+  Store store(file, Store::Mode::append, Store::Safety::marked);
   if (!store.has_attribute("VTKHDF", "Version"))
     throw InputError(fmt::format("'{}' is no VTKHDF file", file.string()));
   return VtkHdfWriter(std::move(store));

@@ -7,8 +7,8 @@ namespace mesobridge::workflows {
 
 /// A trajectory in the VTKHDF 2.0 format (docs.vtk.org, "VTKHDF format specification"), which ParaView opens
 /// with its time slider: an unstructured grid of vertices whose points move, with the velocities, ids and
-/// scalars as point data. Each frame is flushed: an interrupted run keeps what it wrote. The steps stand
-/// under `mesobridge/step`, outside the format.
+/// scalars as point data. Each frame is flushed; what was there at the last mark() survives the program's
+/// death at any moment. The steps stand under `mesobridge/step`, outside the format.
 class VtkHdfWriter {
  public:
   /// Creates the file. Throws EnvironmentError.
@@ -23,6 +23,7 @@ class VtkHdfWriter {
   /// Step of the last frame in the file, -1 if there is none.
   std::int64_t last_step() const;
 
+  void mark() { store_.mark(); } ///< the frames so far are safe
   void close() { store_.close(); }
 
  private:

@@ -22,14 +22,14 @@ std::vector<std::string> moment_names(sdpd::Observables const& observables) {
 
 RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
                  Provenance const& provenance)
-    : RunFile(Store(file, Store::Mode::create), units, observables) {
+    : RunFile(Store(file, Store::Mode::create, Store::Safety::marked), units, observables) {
   write_provenance(store_, provenance);
   store_.flush();
 }
 
 RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units,
                                sdpd::Observables observables) {
-  RunFile run(Store(file, Store::Mode::append), units, observables);
+  RunFile run(Store(file, Store::Mode::append, Store::Safety::marked), units, observables);
   run.last_row_ = last_step(run.store_, "thermodynamics", run.columns({}, 0).size());
   run.last_instant_ = last_step(run.store_, "moments", moment_names(observables).size());
   return run;
@@ -150,17 +150,6 @@ sdpd::EquilibriumSampler RunFile::replay() const {
     sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6]});
   }
   return sampler;
-}
-
-void RunFile::keep_copy(std::filesystem::path const& copy) {
-  store_.flush();
-  auto const fresh = std::filesystem::path(copy).concat(".new");
-  std::error_code error;
-  std::filesystem::copy_file(store_.file(), fresh, std::filesystem::copy_options::overwrite_existing, error);
-  if (!error)
-    std::filesystem::rename(fresh, copy, error);
-  if (error)
-    throw EnvironmentError(fmt::format("cannot write '{}': {}", copy.string(), error.message()));
 }
 
 std::vector<double> RunFile::particle_values(std::string const& name) const {

@@ -14,7 +14,7 @@ namespace mesobridge::workflows {
 /// stopped run keeps them.
 ///
 /// A resumed run repeats the steps after its checkpoint bit for bit: rows that the file holds already are
-/// skipped.
+/// skipped, and those that a run which was killed wrote after its last mark() are gone.
 class RunFile {
  public:
   RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
@@ -35,9 +35,11 @@ class RunFile {
   /// The mean of one column of `thermodynamics`, in the scene's units; nothing if there is no such column.
   std::optional<cg::Estimate> mean(std::string const& column) const;
 
-  /// Copies the file as it is now: one that was killed while it wrote may have left the file itself damaged.
-  /// Throws EnvironmentError.
-  void keep_copy(std::filesystem::path const& copy);
+  /// What is in the file now is safe, whatever happens to the program. Throws EnvironmentError.
+  void mark() { store_.mark(); }
+
+  /// For further series of the same run.
+  Store& store() { return store_; }
 
   void close() { store_.close(); }
 

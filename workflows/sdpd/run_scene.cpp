@@ -88,7 +88,6 @@ class Run {
   void start() {
     std::error_code ignored; // what an earlier run left here is none of this one's
     std::filesystem::remove(file("checkpoint.h5"), ignored);
-    std::filesystem::remove(file("run.h5.kept"), ignored);
     write_text_file(file("scene.toml"), provenance_.scene);
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
                       [&] { return options_.keep_going(simulation_.step()); });
@@ -105,10 +104,6 @@ class Run {
                                    file("checkpoint.h5").string(), file("scene.toml").string()));
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
-    // The copy of the last checkpoint: whatever ended the run may have damaged the file itself.
-    if (std::filesystem::exists(file("run.h5.kept")))
-      std::filesystem::copy_file(file("run.h5.kept"), file("run.h5"),
-                                 std::filesystem::copy_options::overwrite_existing);
     run_file_.emplace(RunFile::continue_file(file("run.h5"), units_, observables_of(settings_)));
     trajectories_.emplace(scene_, options_.directory, provenance_, true);
   }
@@ -142,7 +137,7 @@ class Run {
   }
 
   void checkpoint() {
-    run_file_->keep_copy(file("run.h5.kept")); // first, so that it is never behind the checkpoint
+    run_file_->mark(), trajectories_->mark(); // first, so that no file is ever behind the checkpoint
     write_checkpoint(file("checkpoint.h5"), simulation_.checkpoint(), provenance_);
   }
 
@@ -171,8 +166,6 @@ class Run {
     result.summary = summary(result);
     write_summary(file("summary.json"), result.summary);
     run_file_->close();
-    std::error_code ignored;
-    std::filesystem::remove(file("run.h5.kept"), ignored); // the file itself is whole
     trajectories_->close();
     return result;
   }

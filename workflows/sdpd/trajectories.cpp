@@ -86,6 +86,13 @@ void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation,
     xyz_->append(frame);
 }
 
+void Trajectories::mark() {
+  if (h5md_)
+    h5md_->mark();
+  if (vtkhdf_)
+    vtkhdf_->mark();
+}
+
 void Trajectories::close() {
   if (h5md_)
     h5md_->close();

@@ -10,7 +10,8 @@ namespace mesobridge::workflows {
 
 /// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5`
 /// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
-/// its checkpoint bit for bit: frames that a file holds already are skipped.
+/// its checkpoint bit for bit: frames that a file holds already are skipped, and those that a run which was
+/// killed wrote after its last mark() are gone.
 class Trajectories {
  public:
   /// Creates the files in the folder, or goes on with them. Throws InputError, EnvironmentError.
@@ -23,6 +24,8 @@ class Trajectories {
   /// Writes the frames that are due after `done` sampled steps.
   void record(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units, double dt);
 
+  /// The frames so far are safe, whatever happens to the program. Throws EnvironmentError.
+  void mark();
   void close();
 
  private:

@@ -46,6 +46,7 @@ class MeltFiles {
     for (auto const& frame : held_)
       if (frame.step > last_centres_)
         write_centres(frame);
+    centres_->mark();
     held_.clear();
   }
 

@@ -2,22 +2,37 @@
 
 namespace mesobridge::workflows {
 
-Store::Store(std::filesystem::path file, Mode mode) : implementation_(std::make_unique<Implementation>()) {
+Store::Store(std::filesystem::path file, Mode mode, Safety safety)
+    : implementation_(std::make_unique<Implementation>()) {
   prepare_hdf5();
   auto& self = *implementation_;
-  self.file = std::move(file);
+  self.file = std::move(file), self.safety = safety;
   auto const name = self.file.string();
   if (mode == Mode::create) {
-    self.handle =
-        self.check({H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose}, "create");
+    UndoJournal::discard(self.file); // of a file of that name that is no more
+    self.handle = self.check(
+        {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, self.access().get()), H5Fclose}, "create");
     return;
   }
   if (!std::filesystem::exists(self.file))
     throw InputError(fmt::format("cannot read '{}': No such file or directory", name));
+  if (mode == Mode::append && safety == Safety::marked)
+    UndoJournal::roll_back(self.file);
   if (H5Fis_hdf5(name.c_str()) <= 0)
     throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
-  auto const access = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
-  self.handle = self.check({H5Fopen(name.c_str(), access, H5P_DEFAULT), H5Fclose}, "open");
+  auto const flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
+  if (mode == Mode::read && UndoJournal::exists(self.file)) {
+    self.handle = {H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose};
+    if (!self.handle.valid())
+      throw InputError(
+          fmt::format("cannot read '{}': the run that wrote it was broken off; go on with --resume, "
+                      "which mends it",
+                      name));
+    return;
+  }
+  self.handle = self.check({H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose}, "open");
+  if (mode == Mode::append && safety == Safety::marked)
+    mark();
 }
 
 Store::Store(Store&&) noexcept = default;
@@ -152,9 +167,25 @@ void Store::flush() {
   implementation_->check(H5Fflush(implementation_->handle.get(), H5F_SCOPE_GLOBAL), "write");
 }
 
+void Store::mark() {
+  flush();
+  auto& self = *implementation_;
+  if (self.safety != Safety::marked)
+    throw std::logic_error(fmt::format("'{}' was not opened to be marked", self.file.string()));
+  self.journal.emplace(self.file);
+}
+
 void Store::close() {
   flush();
-  implementation_->check(implementation_->handle.close(), "close");
+  auto& self = *implementation_;
+  self.check(self.handle.close(), "close");
+  self.journal.reset();
+  if (self.safety == Safety::marked)
+    UndoJournal::discard(self.file);
+}
+
+std::size_t Store::chunk_rows(std::size_t row_bytes) {
+  return std::clamp<std::size_t>(65536 / row_bytes, 1, 1024);
 }
 
 std::filesystem::path const& Store::file() const {

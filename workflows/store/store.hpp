@@ -19,9 +19,14 @@ class Store {
     read,
     append ///< an existing file, to be written on
   };
+  /// What a process that dies while it writes leaves behind.
+  enum class Safety {
+    plain, ///< perhaps a damaged file
+    marked ///< a file that returns to its last mark() when it is opened to append (see UndoJournal)
+  };
   using Shape = std::vector<std::size_t>;
 
-  Store(std::filesystem::path file, Mode mode);
+  Store(std::filesystem::path file, Mode mode, Safety safety = Safety::plain);
   Store(Store&&) noexcept;
   ~Store(); ///< closes silently; call close() to learn whether all is on the disk
 
@@ -61,9 +66,14 @@ class Store {
   void link(std::string const& existing, std::string const& path);
 
   void flush(); ///< hands all data to the operating system: what was flushed survives the program's death
+  void mark();  ///< flushes; whatever happens to the program later, all that is in the file now is safe
   void close(); ///< flushes and closes; the store is unusable afterwards
 
   std::filesystem::path const& file() const;
+
+  /// Rows that a growing dataset takes room for at a time, by the bytes of a row: chunks of about 64 kB,
+  /// large enough for the disk, small enough that a short series wastes little.
+  static std::size_t chunk_rows(std::size_t row_bytes);
 
  private:
   class Implementation;

@@ -1,10 +1,12 @@
 #pragma once
 #include "md/error.hpp"
 #include "workflows/store/hdf5_handle.hpp"
+#include "workflows/store/journaled_driver.hpp"
 #include "workflows/store/store.hpp"
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 namespace mesobridge::workflows {
 
@@ -65,7 +67,14 @@ inline Hdf5Handle creating_groups() {
 class Store::Implementation {
  public:
   std::filesystem::path file;
+  Safety safety = Safety::plain;
+  std::optional<UndoJournal> journal; ///< outlives the handle, whose driver writes to it
   Hdf5Handle handle;
+
+  Hdf5Handle access() {
+    return safety == Safety::marked ? check(journaled_access(journal), "open")
+                                    : Hdf5Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  }
 
   [[noreturn]] void fail(std::string const& what) const {
     throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(), hdf5_cause()));
@@ -123,11 +132,8 @@ class Store::Implementation {
 
   template <class T>
   Hdf5Handle create_growing(std::string const& path, std::vector<hsize_t> const& row) const {
-    // Chunks near 64 kB: large enough for the disk, small enough that a short series wastes little.
-    hsize_t const row_bytes =
-        std::accumulate(row.begin(), row.end(), hsize_t{sizeof(T)}, std::multiplies<>());
-    std::vector<hsize_t> size{0}, maximum{H5S_UNLIMITED},
-        chunk{std::clamp<hsize_t>(65536 / row_bytes, 1, 1024)};
+    auto const row_bytes = std::accumulate(row.begin(), row.end(), hsize_t{sizeof(T)}, std::multiplies<>());
+    std::vector<hsize_t> size{0}, maximum{H5S_UNLIMITED}, chunk{chunk_rows(row_bytes)};
     for (auto const n : row)
       size.push_back(n), maximum.push_back(n), chunk.push_back(n);
     Hdf5Handle const layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
