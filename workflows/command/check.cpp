@@ -2,6 +2,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/scene/scene.hpp"
 #include "workflows/sdpd/cost_estimate.hpp"
+#include "workflows/sdpd/disk_estimate.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <CLI/CLI.hpp>
 
@@ -27,6 +28,7 @@ Result check(Options const& options, Context const& context) {
     settings.dt = typical_dt;
   sdpd::check(settings);
   auto const cost = estimate_cost(scene, settings);
+  auto const disk = estimate_disk(scene);
   auto const resolved = resolved_toml(scene);
   Result result;
   result.json = {{"scene", options.scene},
@@ -34,10 +36,18 @@ Result check(Options const& options, Context const& context) {
                  {"resolved", resolved},
                  {"estimated_neighbours", cost.neighbours},
                  {"estimated_time_s", cost.seconds},
-                 {"estimated_memory_bytes", cost.bytes}};
-  result.text = resolved +
-                fmt::format("\n# about {} on {} thread(s), {:.3g} MB; {:.0f} neighbours a particle",
-                            duration_text(cost.seconds), settings.threads, cost.bytes / 1e6, cost.neighbours);
+                 {"estimated_memory_bytes", cost.bytes},
+                 {"estimated_disk_bytes", disk.total()},
+                 {"estimated_disk_results_bytes", disk.results},
+                 {"estimated_disk_trajectories_bytes", disk.trajectories},
+                 {"estimated_disk_checkpoint_bytes", disk.checkpoint}};
+  result.text =
+      resolved +
+      fmt::format(
+          "\n# about {} on {} thread(s), {:.3g} MB of memory, {:.3g} MB on the disk; {:.0f} neighbours a "
+          "particle",
+          duration_text(cost.seconds), settings.threads, cost.bytes / 1e6, disk.total() / 1e6,
+          cost.neighbours);
   return result;
 }
 

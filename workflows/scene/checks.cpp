@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/pair_checks.hpp"
+#include "workflows/scene/quantities.hpp"
 #include "workflows/scene/wish.hpp"
 #include <algorithm>
 #include <tuple>
@@ -128,10 +129,36 @@ void check_sdpd(Scene const& scene, Places const& places) {
       fmt::format("must be < 5 eta / 3 = {:.6g}, or the friction coefficient a_ij turns negative", limit));
 }
 
+/// The quantities that the scene names must be its method's, and there must be some.
+void check_quantities(Scene const& scene, Places const& places, std::string const& section,
+                      std::int64_t every, std::vector<std::string> const& named,
+                      std::vector<NamedQuantity> const& known) {
+  auto const has = chosen({}, known, scene.method.name);
+  for (auto const& name : named)
+    require_together(std::ranges::find(has, name) != has.end(), places, section + ".quantities", name,
+                     fmt::format("particles of {} have no such quantity; theirs are: {}", scene.method.name,
+                                 has.empty() ? "none" : fmt::format("{}", fmt::join(has, ", "))));
+  require_together(every == 0 || !has.empty(), places, section + ".every", every,
+                   fmt::format("must be 0: particles of {} have none of the quantities", scene.method.name));
+}
+
+/// Profiles and histograms on schedules that the run can keep.
+void check_schedules(Scene const& scene, Places const& places) {
+  auto const& profile = scene.profile;
+  auto const& histogram = scene.histogram;
+  check_quantities(scene, places, "profile", profile.every, profile.quantities, profile_quantities());
+  check_quantities(scene, places, "histogram", histogram.every, histogram.quantities, histogram_quantities());
+  for (auto const& [key, every] :
+       {std::pair("profile.every", profile.every), {"histogram.every", histogram.every}})
+    require_together(every <= scene.run.steps, places, key, every,
+                     fmt::format("must be <= run.steps = {}, or 0 for none", scene.run.steps));
+}
+
 } // namespace
 
 void check_together(Scene const& scene, Places const& places) {
   scene.is_sdpd() ? check_sdpd(scene, places) : check_pair_fluid(scene, places);
+  check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs
   require_together(scene.run.instant_every <= scene.run.steps / least_instants, places, "run.instant_every",
                    scene.run.instant_every,

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/scheme/list.hpp"
+#include "workflows/scene/quantities.hpp"
 #include <algorithm>
 #include <sstream>
 #include <toml++/toml.h>
@@ -44,6 +45,7 @@ std::string type_name(SceneKey const& key) {
     std::string operator()(std::int64_t*) const { return "an integer"; }
     std::string operator()(double*) const { return "a number"; }
     std::string operator()(std::optional<double>*) const { return "a number"; }
+    std::string operator()(std::vector<std::string>*) const { return "a list of texts"; }
     std::string operator()(TimeStep*) const { return "a number"; }
     std::string operator()(UnitSystem*) const { return "a text"; }
   };
@@ -90,12 +92,17 @@ bool SceneKey::belongs_to(std::string const& method) const {
   return methods.empty() || std::ranges::find(methods, method) != methods.end();
 }
 
+bool SceneKey::is_list() const {
+  Scene scene;
+  return std::holds_alternative<std::vector<std::string>*>(slot(scene));
+}
+
 std::string SceneKey::allowed(UnitSystem units) const {
   if (!choices.empty()) {
     std::vector<std::string> words;
     for (auto const& choice : choices)
       words.push_back("\"" + choice + "\"");
-    return fmt::format("one of {}", fmt::join(words, ", "));
+    return fmt::format("{} {}", is_list() ? "a list of some of" : "one of", fmt::join(words, ", "));
   }
   Scene scene;
   bool const time_step = std::holds_alternative<TimeStep*>(slot(scene));
@@ -391,6 +398,44 @@ std::vector<SceneKey> const& scene_keys() {
           .in(not_negative),
 
       Line(
+          "profile", "axis", [](Scene& s) { return &s.profile.axis; },
+          "direction of the profile: its slices are perpendicular to it")
+          .choices({"x", "y", "z"}),
+      Line(
+          "profile", "bins", [](Scene& s) { return &s.profile.bins; }, "slices of equal width")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "profile", "every", [](Scene& s) { return &s.profile.every; },
+          "steps between profiles, of one instant each, under `profile` of run.h5; 0: none")
+          .in(not_negative),
+      Line(
+          "profile", "quantities", [](Scene& s) { return &s.profile.quantities; },
+          "means over the particles of a slice: rho (dpde, dpd: mass per volume), velocity, T_kin (of the "
+          "motion "
+          "about that velocity), T_int (not dpd), P_internal (of the particles' own pressures, sdpd), P "
+          "(with what "
+          "the moving particles carry, sdpd). []: all that the method has")
+          .choices(names_of(profile_quantities())),
+      Line(
+          "histogram", "bins", [](Scene& s) { return &s.histogram.bins; }, "of equal width")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "histogram", "every", [](Scene& s) { return &s.histogram.every; },
+          "steps between histograms over all particles, of one instant each, under `histogram` of run.h5; 0: "
+          "none")
+          .in(not_negative),
+      Line(
+          "histogram", "reach", [](Scene& s) { return &s.histogram.reach; },
+          "bins reach from the mean of the first histogram's particles so many of their standard deviations "
+          "either "
+          "way; what lies beyond is counted as well")
+          .in({.min = 0, .open = true, .max = 1e6}),
+      Line(
+          "histogram", "quantities", [](Scene& s) { return &s.histogram.quantities; },
+          "of the particles: eps and T (not dpd), rho and P (sdpd). []: all that the method has")
+          .choices(names_of(histogram_quantities())),
+
+      Line(
           "output", "directory", [](Scene& s) { return &s.output.directory; },
           "where to write if -o is not given; default out/ and the scene's name"),
   };
@@ -414,6 +459,12 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     Text operator()(std::int64_t const* value) const { return fmt::format("{}", *value); }
     Text operator()(double const* value) const { return number(*value); }
     Text operator()(std::optional<double> const* value) const { return *value ? number(**value) : Text(); }
+    Text operator()(std::vector<std::string> const* texts) const {
+      std::vector<std::string> words;
+      for (auto const& text : *texts)
+        words.push_back(quoted(text));
+      return fmt::format("[{}]", fmt::join(words, ", "));
+    }
     Text operator()(TimeStep const* dt) const {
       if (dt->automatic)
         return "\"auto\"";

@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 
 /// Where a key's value lives in the scene; the alternative says what type the key has.
 using Slot = std::variant<std::string*, std::optional<std::string>*, std::int64_t*, double*,
-                          std::optional<double>*, TimeStep*, UnitSystem*>;
+                          std::optional<double>*, std::vector<std::string>*, TimeStep*, UnitSystem*>;
 
 /// The numbers that a key allows: all finite ones from the minimum (itself excluded if `open`) to the
 /// maximum.
@@ -31,12 +31,13 @@ struct SceneKey {
   std::function<Slot(Scene&)> slot;
   std::optional<Dimension> dimension; ///< of a quantity: then SI scenes give it as a string with a unit
   Range range;
-  std::vector<std::string> choices; ///< of a text; empty: any
+  std::vector<std::string> choices; ///< of a text, or of the texts of a list; empty: any
   bool required = false;            ///< if not, the default is that of a fresh Scene
   std::vector<std::string> methods; ///< the methods that have the key; empty: all
   std::string meaning;
 
   bool belongs_to(std::string const& method) const;
+  bool is_list() const;
   std::string path() const { return section.empty() ? name : section + "." + name; }
   /// What the key allows, in words: "a density > 0 such as \"1 kg/m^3\"".
   std::string allowed(UnitSystem units) const;

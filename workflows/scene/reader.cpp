@@ -106,8 +106,10 @@ struct SlotReader {
 
   [[noreturn]] void refuse() const { throw InputError("must be " + key.allowed(units)); }
 
-  std::string text() const {
-    auto const value = node.value_exact<std::string>();
+  std::string text() const { return text(node); }
+
+  std::string text(toml::node const& of) const {
+    auto const value = of.value_exact<std::string>();
     if (!value)
       refuse();
     if (!key.choices.empty() &&
@@ -143,6 +145,18 @@ struct SlotReader {
     if (!value || !key.range.contains(static_cast<double>(*value)))
       refuse();
     *slot = *value;
+  }
+  void operator()(std::vector<std::string>* slot) const {
+    auto const* list = node.as_array();
+    if (!list)
+      refuse();
+    slot->clear();
+    for (auto const& element : *list) {
+      auto word = text(element);
+      require(std::find(slot->begin(), slot->end(), word) == slot->end(), "a text of the list", word,
+              "must stand there once");
+      slot->push_back(std::move(word));
+    }
   }
   void operator()(TimeStep* slot) const {
     if (node.value_exact<std::string>() == "auto") {

@@ -91,6 +91,18 @@ struct Scene {
     double bath_rate = 1;
     bool operator==(Run const&) const = default;
   } run;
+  struct Profile { ///< across the box, into run.h5
+    std::string axis = "x";
+    std::int64_t bins = 20, every = 0;
+    std::vector<std::string> quantities; ///< empty: all that the method has
+    bool operator==(Profile const&) const = default;
+  } profile;
+  struct Histogram { ///< of single particles' quantities, into run.h5
+    std::int64_t bins = 50, every = 0;
+    double reach = 8;
+    std::vector<std::string> quantities; ///< empty: all that the method has
+    bool operator==(Histogram const&) const = default;
+  } histogram;
   struct Output {
     std::optional<std::string> directory;
     bool operator==(Output const&) const = default;
@@ -99,6 +111,7 @@ struct Scene {
   bool operator==(Scene const&) const = default;
 
   bool is_sdpd() const { return method.name == "sdpd"; }
+  bool has_energies() const { return method.name != "dpd"; } ///< of the particles, internal ones
 };
 
 /// Reads and checks a scene file; each override is "section.key=value" and wins over the file.

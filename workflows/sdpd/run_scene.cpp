@@ -1,6 +1,8 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/histogram_series.hpp"
+#include "workflows/sdpd/profile_series.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/sdpd/trajectories.hpp"
 #include "workflows/summary.hpp"
@@ -11,9 +13,6 @@
 namespace mesobridge::workflows {
 namespace {
 
-/// Instants at which the particles are looked at one by one over a whole run, if the scene does not say.
-constexpr std::int64_t instants = 40;
-
 /// One scene on its way from the first step to the files.
 class Run {
  public:
@@ -22,8 +21,7 @@ class Run {
         settings_(settings_of(scene_, options.threads)), simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
                                                               resolved_toml(scene_), inputs(scene)},
-        every_instant_(scene.run.instant_every > 0 ? scene.run.instant_every
-                                                   : std::max<std::int64_t>(1, scene.run.steps / instants)) {}
+        every_instant_(instants_every(scene.run)) {}
 
   RunResult carry_out() {
     require(scene_.run.steps >= 32 * scene_.run.sample_every, "run.steps", scene_.run.steps,
@@ -92,6 +90,7 @@ class Run {
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
                       [&] { return options_.keep_going(simulation_.step()); });
     run_file_.emplace(file("run.h5"), units_, observables_of(settings_), provenance_);
+    open_series();
     trajectories_.emplace(scene_, options_.directory, provenance_, false);
     record();
   }
@@ -105,12 +104,22 @@ class Run {
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
     run_file_.emplace(RunFile::continue_file(file("run.h5"), units_, observables_of(settings_)));
+    open_series();
     trajectories_.emplace(scene_, options_.directory, provenance_, true);
+  }
+
+  /// What the scene asks for beside the samples.
+  void open_series() {
+    if (scene_.profile.every > 0)
+      profiles_.emplace(run_file_->store(), scene_, units_, 1 / settings_.K);
+    if (scene_.histogram.every > 0)
+      histograms_.emplace(run_file_->store(), scene_, units_);
   }
 
   std::int64_t steps_to_next_event() const {
     std::int64_t steps = scene_.run.steps - done_;
-    for (std::int64_t const every : {scene_.run.sample_every, every_instant_, scene_.run.checkpoint_every})
+    for (std::int64_t const every : {scene_.run.sample_every, every_instant_, scene_.run.checkpoint_every,
+                                     scene_.profile.every, scene_.histogram.every})
       if (every > 0)
         steps = std::min(steps, every - done_ % every);
     return trajectories_->steps_to_next(done_, steps);
@@ -121,15 +130,23 @@ class Run {
     done_ += steps;
   }
 
-  /// Samples, instants, frames and checkpoints that are due at this step.
+  /// Samples, instants, profiles, histograms, frames and checkpoints that are due at this step.
   void record() {
     auto due = [this](std::int64_t every) { return every > 0 && done_ % every == 0; };
     double const time = static_cast<double>(done_) * settings_.dt;
     if (due(scene_.run.sample_every))
       run_file_->append(simulation_.observe(), time);
-    if (due(every_instant_)) {
+    bool const instant = due(every_instant_), profile = due(scene_.profile.every),
+               histogram = due(scene_.histogram.every);
+    if (instant || profile || histogram) {
       auto const now = simulation_.snapshot();
-      run_file_->append(now, sdpd::moments(now), simulation_.step());
+      auto const step = simulation_.step();
+      if (instant)
+        run_file_->append(now, sdpd::moments(now), step);
+      if (profile)
+        profiles_->append(now, simulation_.box(), step, time * units_.time);
+      if (histogram)
+        histograms_->append(now, step, time * units_.time);
     }
     trajectories_->record(done_, simulation_, units_, settings_.dt);
     if (done_ > 0 && due(scene_.run.checkpoint_every))
@@ -232,6 +249,8 @@ class Run {
   Provenance provenance_;
   std::int64_t every_instant_;
   std::optional<RunFile> run_file_;
+  std::optional<ProfileSeries> profiles_;
+  std::optional<HistogramSeries> histograms_;
   std::optional<Trajectories> trajectories_;
   std::int64_t done_ = 0; ///< of the sampled steps
 };

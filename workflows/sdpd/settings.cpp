@@ -3,6 +3,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "workflows/sdpd/pair_fluid_of.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 #include <numbers>
 #include <omp.h>
 
@@ -86,18 +87,23 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   return settings;
 }
 
+std::int64_t instants_every(Scene::Run const& run) {
+  constexpr std::int64_t instants = 40;
+  return run.instant_every > 0 ? run.instant_every : std::max<std::int64_t>(1, run.steps / instants);
+}
+
 int available_threads() {
   return omp_get_num_procs();
 }
 
 OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
-    : time(reduced.time()), energy(reduced.energy()), specific_energy(reduced.specific_energy()),
-      temperature(reduced.temperature), pressure(reduced.pressure()), density(reduced.density),
-      momentum(reduced.mass() * reduced.velocity()) {
+    : time(reduced.time()), length(reduced.length()), velocity(reduced.velocity()), energy(reduced.energy()),
+      specific_energy(reduced.specific_energy()), temperature(reduced.temperature),
+      pressure(reduced.pressure()), density(reduced.density), momentum(reduced.mass() * reduced.velocity()) {
   if (system == UnitSystem::lj)
     return;
-  time_key = "_s", energy_key = "_J", specific_energy_key = "_J_kg", temperature_key = "_K",
-  pressure_key = "_Pa";
+  time_key = "_s", length_key = "_m", velocity_key = "_m_s", energy_key = "_J", specific_energy_key = "_J_kg",
+  temperature_key = "_K", pressure_key = "_Pa";
   density_key = "_kg_m3", momentum_key = "_kg_m_s";
 }
 

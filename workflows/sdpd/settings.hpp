@@ -20,6 +20,10 @@ double neighbours_of(double h_factor);
 /// Throws InputError when there are none for the scene's kernel.
 sdpd::DensityCorrection density_correction_of(Scene const& scene);
 
+/// Steps between the instants at which the particles are looked at one by one: about 40 instants over the run
+/// if the scene does not say.
+std::int64_t instants_every(Scene::Run const& run);
+
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
 
@@ -33,9 +37,9 @@ int available_threads();
 /// Factors from the engine's reduced units to those of the scene, and the ends of the keys that go with them:
 /// "_K" in SI, nothing in Lennard-Jones units.
 struct OutputUnits {
-  double time, energy, specific_energy, temperature, pressure, density, momentum;
-  std::string time_key, energy_key, specific_energy_key, temperature_key, pressure_key, density_key,
-      momentum_key;
+  double time, length, velocity, energy, specific_energy, temperature, pressure, density, momentum;
+  std::string time_key, length_key, velocity_key, energy_key, specific_energy_key, temperature_key,
+      pressure_key, density_key, momentum_key;
 
   OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system);
 };

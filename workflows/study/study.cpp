@@ -102,6 +102,7 @@ Scene small_sample(Scene const& scene, std::int64_t particles) {
   sample.particles.N = side * side * side;
   sample.run.trajectory_every = 0;
   sample.run.checkpoint_every = 0;
+  sample.profile = {}, sample.histogram = {};
   sample.output = {};
   return sample;
 }

@@ -11,7 +11,8 @@
 #include <unistd.h>
 
 // A run that is killed again and again, at any time and in the hardest way, and resumed each time, ends with
-// the same bits as one that was left alone.
+// the same bits as one that was left alone. It writes often, so that many of its deaths are in the middle of
+// that; undo_journal_test.cpp goes through all of them.
 
 namespace mesobridge::workflows {
 namespace {
@@ -28,7 +29,8 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
                                   "--threads",
                                   "1"};
   for (char const* set : {"particles.N=343", "run.equilibrate=64", "run.steps=2500", "run.sample_every=5",
-                          "run.trajectory_every=250", "run.checkpoint_every=100"})
+                          "run.trajectory_every=20", "run.vtkhdf_every=20", "run.xyz_every=100",
+                          "profile.every=20", "histogram.every=50", "run.checkpoint_every=100"})
     result.insert(result.end(), {"--set", set});
   if (resume)
     result.push_back("--resume");
@@ -88,13 +90,28 @@ TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
   EXPECT_EQ(kills, wanted) << ends;
   auto const last = run_process(words(broken, true));
   ASSERT_EQ(last.status, 0) << last.errors;
-  std::vector<std::string> const results{"thermodynamics", "moments", "particles/eps", "particles/rho",
-                                         "particles/P"},
-      frames{"particles/all/position/value", "particles/all/velocity/value"};
+  std::vector<std::string> const results{"thermodynamics",
+                                         "moments",
+                                         "particles/eps",
+                                         "particles/rho",
+                                         "particles/P",
+                                         "profile/P_Pa",
+                                         "profile/velocity_m_s",
+                                         "profile/time_s",
+                                         "histogram/eps_J/counts",
+                                         "histogram/rho_kg_m3/edges"},
+      frames{"particles/all/position/value", "particles/all/velocity/value", "particles/all/position/step",
+             "particles/all/velocity/time", "particles/all/box/edges/value"},
+      vtk_frames{"VTKHDF/Points",       "VTKHDF/PointData/velocity", "VTKHDF/PointData/rho_kg_m3",
+                 "VTKHDF/Steps/Values", "VTKHDF/Steps/PointOffsets", "mesobridge/step"};
   auto const expected = datasets(unbroken / "run.h5", results);
   ASSERT_EQ(expected[0].size(), 501u * 12u);
   EXPECT_TRUE(expected == datasets(broken / "run.h5", results));
   EXPECT_TRUE(datasets(unbroken / "trajectory.h5", frames) == datasets(broken / "trajectory.h5", frames));
+  auto const points = datasets(unbroken / "trajectory.vtkhdf", vtk_frames);
+  ASSERT_EQ(points[0].size(), 126u * 343u * 3u);
+  EXPECT_TRUE(points == datasets(broken / "trajectory.vtkhdf", vtk_frames));
+  EXPECT_EQ(read_text_file(unbroken / "trajectory.xyz"), read_text_file(broken / "trajectory.xyz"));
   EXPECT_EQ(read_text_file(unbroken / "summary.json"), read_text_file(broken / "summary.json"));
   EXPECT_EQ(read_text_file(unbroken / "scene.toml"), read_text_file(broken / "scene.toml"));
 }

@@ -23,9 +23,10 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
   std::vector<std::string> words{
       MESOBRIDGE_PROGRAM, "run",    MESOBRIDGE_SOURCE_DIR "/workflows/scenes/argon-1000K.toml", "-o",
       directory.string(), "--quiet"};
-  for (char const* set : {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
-                          "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200",
-                          "run.instant_every=25", "run.checkpoint_every=150"})
+  for (char const* set :
+       {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
+        "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200", "run.instant_every=25",
+        "run.checkpoint_every=150", "profile.every=80", "histogram.every=100"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -37,7 +38,7 @@ ProcessResult run(std::filesystem::path const& directory, std::vector<std::strin
 
 /// All results of a run, but for the provenance, which names the command.
 struct Files {
-  std::vector<double> thermodynamics, moments, eps, positions, points;
+  std::vector<double> thermodynamics, moments, eps, velocities, counts, positions, points;
   std::string xyz, summary, scene;
   friend bool operator==(Files const&, Files const&) = default;
 };
@@ -46,10 +47,12 @@ Files files(std::filesystem::path const& directory) {
   Store const results(directory / "run.h5", Store::Mode::read),
       trajectory(directory / "trajectory.h5", Store::Mode::read),
       vtkhdf(directory / "trajectory.vtkhdf", Store::Mode::read);
-  return {results.read_doubles("thermodynamics"),     results.read_doubles("moments"),
-          results.read_doubles("particles/eps"),      trajectory.read_doubles("particles/all/position/value"),
-          vtkhdf.read_doubles("VTKHDF/Points"),       read_text_file(directory / "trajectory.xyz"),
-          read_text_file(directory / "summary.json"), read_text_file(directory / "scene.toml")};
+  return {
+      results.read_doubles("thermodynamics"),         results.read_doubles("moments"),
+      results.read_doubles("particles/eps"),          results.read_doubles("profile/velocity_m_s"),
+      results.read_doubles("histogram/eps_J/counts"), trajectory.read_doubles("particles/all/position/value"),
+      vtkhdf.read_doubles("VTKHDF/Points"),           read_text_file(directory / "trajectory.xyz"),
+      read_text_file(directory / "summary.json"),     read_text_file(directory / "scene.toml")};
 }
 
 TEST(Run, WritesTheSameBytesOnOneAndTwoThreads) {
@@ -131,6 +134,69 @@ TEST(Run, CalibratesItsDensitiesOnceAndGoesOnWithTheSameConstants) {
   ASSERT_EQ(again.status, 0) << again.errors;
   EXPECT_EQ(files(scratch / "again").thermodynamics, files(scratch / "unbroken").thermodynamics);
   EXPECT_EQ(files(scratch / "again").scene, files(scratch / "unbroken").scene);
+}
+
+std::vector<double> column(Store const& store, std::string const& dataset, std::size_t width,
+                           std::size_t which) {
+  auto const all = store.read_doubles(dataset);
+  std::vector<double> values;
+  for (std::size_t k = which; k < all.size(); k += width)
+    values.push_back(all[k]);
+  return values;
+}
+
+// Profiles and histograms against the samples of the same steps, which are sums of their own.
+TEST(Run, WritesProfilesAndHistogramsThatAddUpToTheWhole) {
+  ScratchDirectory const scratch;
+  ASSERT_EQ(run(scratch / "a", {"--set", "profile.axis=y", "--set", "profile.bins=7"}).status, 0);
+  Store const store(scratch / "a" / "run.h5", Store::Mode::read);
+  EXPECT_EQ(store.read_text_attribute("profile", "axis"), "y");
+  EXPECT_EQ(store.shape("profile/velocity_m_s"), (Store::Shape{6, 7, 3}));
+  EXPECT_EQ(store.read_doubles("profile/position_m").size(), 7u);
+  auto const steps = store.read_integers("profile/step");
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{64, 144, 224, 304, 384, 464}));
+  auto const number = store.read_doubles("profile/number");
+  constexpr std::size_t columns = 12, samples_between = 16;
+  auto const time = column(store, "thermodynamics", columns, 1),
+             T = column(store, "thermodynamics", columns, 6),
+             rho = column(store, "thermodynamics", columns, 8);
+  auto const slices_T = store.read_doubles("profile/T_int_K"),
+             slices_rho = store.read_doubles("profile/rho_kg_m3");
+  int compared = 0;
+  for (std::size_t k = 0; k < steps.size(); ++k, ++compared) {
+    double count = 0, sum_T = 0, sum_rho = 0;
+    for (std::size_t s = 7 * k; s < 7 * (k + 1); ++s)
+      count += number[s], sum_T += number[s] * slices_T[s], sum_rho += number[s] * slices_rho[s];
+    EXPECT_EQ(count, 1000);
+    EXPECT_NEAR(sum_T / count / T[samples_between * k], 1, 1e-12);
+    EXPECT_NEAR(sum_rho / count / rho[samples_between * k], 1, 1e-12);
+    EXPECT_EQ(store.read_doubles("profile/time_s")[k], time[samples_between * k]);
+  }
+  EXPECT_EQ(compared, 6);
+
+  ASSERT_EQ(store.shape("histogram/T_K/counts"), (Store::Shape{5, 50}));
+  auto const counts = store.read_doubles("histogram/T_K/counts"),
+             edges = store.read_doubles("histogram/T_K/edges");
+  double mean = 0, all = 0;
+  for (std::size_t b = 0; b < 50; ++b)
+    all += counts[b], mean += counts[b] * 0.5 * (edges[b] + edges[b + 1]);
+  EXPECT_EQ(all + store.read_doubles("histogram/T_K/below")[0] + store.read_doubles("histogram/T_K/above")[0],
+            1000);
+  EXPECT_NEAR(mean / all, T[0], edges[1] - edges[0]);
+}
+
+TEST(Run, TakesTheDiskThatCheckForetold) {
+  ScratchDirectory const scratch;
+  std::vector<std::string> const long_run{"--set", "run.steps=2000", "--set", "particles.N=512"};
+  ASSERT_EQ(run(scratch / "a", long_run).status, 0);
+  auto words = run_words(scratch / "a", long_run);
+  words[1] = "check", words.insert(words.begin() + 2, "--json");
+  auto const check = run_process(words);
+  ASSERT_EQ(check.status, 0) << check.errors;
+  double taken = 0;
+  for (char const* name : {"run.h5", "trajectory.h5", "trajectory.vtkhdf", "trajectory.xyz", "checkpoint.h5"})
+    taken += static_cast<double>(std::filesystem::file_size(scratch / "a" / name));
+  EXPECT_NEAR(Json::parse(check.output)["estimated_disk_bytes"].get<double>() / taken, 1, 0.1);
 }
 
 TEST(Run, RefusesToResumeAnotherScene) {

@@ -1,0 +1,100 @@
+#include "md/error.hpp"
+#include "replaced.hpp"
+#include "workflows/scene/scene.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::replaced;
+
+std::string const sdpd = R"(title = "t"
+[fluid]
+eos = "argon"
+rho = "1150 kg/m^3"
+T = "1000 K"
+[particles]
+N = 1000
+K = 50
+[transport]
+eta = "2e-3 Pa*s"
+[scheme]
+dt = 0.05
+[run]
+steps = 1000
+[profile]
+axis = "z"
+bins = 24
+every = 50
+quantities = ["velocity", "P"]
+[histogram]
+every = 100
+)";
+
+std::string const dpd = R"(title = "t"
+units = "lj"
+[method]
+name = "dpd"
+[fluid]
+rho = 3
+T = 1
+[particles]
+N = 1000
+mass = 1
+[friction]
+gamma_par = 4.5
+cutoff = 1
+[scheme]
+dt = 0.01
+[run]
+steps = 1000
+[profile]
+every = 10
+)";
+
+TEST(ObserveScene, ReadsItsTablesAndReadsBackAsTheSame) {
+  auto const scene = parse_scene(sdpd, "s.toml");
+  EXPECT_EQ(scene.profile.axis, "z");
+  EXPECT_EQ(scene.profile.bins, 24);
+  EXPECT_EQ(scene.profile.quantities, (std::vector<std::string>{"velocity", "P"}));
+  EXPECT_TRUE(scene.histogram.quantities.empty());
+  EXPECT_EQ(parse_scene(resolved_toml(scene), "r.toml"), scene);
+  auto const other = parse_scene(sdpd, "s.toml", {"profile.quantities=[\"rho\"]", "profile.every=0"});
+  EXPECT_EQ(other.profile.quantities, std::vector<std::string>{"rho"});
+  EXPECT_NO_THROW(parse_scene(dpd, "d.toml"));
+}
+
+TEST(ObserveScene, RefusesWhatCannotBeObserved) {
+  struct Case {
+    std::string text;
+    std::vector<std::string> message;
+  };
+  std::vector<Case> const cases{
+      {replaced(sdpd, "\"z\"", "\"w\""), {"s.toml:16", "profile.axis", "\"x\", \"y\", \"z\""}},
+      {replaced(sdpd, "bins = 24", "bins = 0"), {"profile.bins", "from 1"}},
+      {replaced(sdpd, "\"P\"]", "\"p\"]"), {"profile.quantities", "a list of some of", "P_internal"}},
+      {replaced(sdpd, "\"velocity\", \"P\"", "\"P\", \"P\""), {"profile.quantities", "once"}},
+      {replaced(sdpd, "[\"velocity\", \"P\"]", "\"P\""), {"profile.quantities", "a list of some of"}},
+      {replaced(sdpd, "[\"velocity\", \"P\"]", "[1]"), {"profile.quantities", "a list of some of"}},
+      {replaced(sdpd, "every = 50", "every = 2000"), {"profile.every", "run.steps = 1000"}},
+      {replaced(sdpd, "every = 50", "evry = 50"), {"evry", "every"}},
+      {replaced(dpd, "every = 10", "quantities = [\"T_int\"]"),
+       {"T_int", "theirs are: rho, velocity, T_kin"}},
+      {dpd + "[histogram]\nevery = 10\n", {"histogram.every", "none of the quantities"}},
+  };
+  int ran = 0;
+  for (auto const& [text, parts] : cases) {
+    try {
+      parse_scene(text, "s.toml");
+      ADD_FAILURE() << text;
+    } catch (InputError const& error) {
+      for (auto const& part : parts)
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    ++ran;
+  }
+  EXPECT_EQ(ran, 10);
+}
+
+} // namespace
+} // namespace mesobridge::workflows

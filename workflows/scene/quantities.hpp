@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace mesobridge::workflows {
+
+/// A quantity that a scene may ask for by name, and the methods whose particles have it.
+struct NamedQuantity {
+  std::string name;
+  std::vector<std::string> methods;
+};
+
+/// What a profile may show.
+std::vector<NamedQuantity> const& profile_quantities();
+/// What a histogram may count.
+std::vector<NamedQuantity> const& histogram_quantities();
+
+std::vector<std::string> names_of(std::vector<NamedQuantity> const& quantities);
+
+/// The quantities that a scene names or, when it names none, all that its method has.
+std::vector<std::string> chosen(std::vector<std::string> const& named,
+                                std::vector<NamedQuantity> const& quantities, std::string const& method);
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,91 @@
+#include "workflows/sdpd/disk_estimate.hpp"
+#include "workflows/scene/quantities.hpp"
+#include "workflows/sdpd/run_file.hpp"
+#include "workflows/store/store.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr double number = 8; ///< bytes
+constexpr double text =
+    19; ///< bytes of a number in extended XYZ that reads back as the same bits, with a space
+
+/// How many particles' numbers a method has.
+struct Particle {
+  double scalars;    ///< eps, rho, T, P
+  double instants;   ///< of those, the ones that RunFile keeps of single particles
+  double checkpoint; ///< id, q, q_at_renewal, p; eps, T; S
+  double sample;     ///< columns of `thermodynamics`
+  double moments;    ///< columns of `moments`
+};
+
+Particle particle_of(Scene const& scene) {
+  if (scene.is_sdpd())
+    return {.scalars = 4, .instants = 3, .checkpoint = 13, .sample = 12, .moments = 7};
+  if (scene.method.name == "dpde")
+    return {.scalars = 2, .instants = 1, .checkpoint = 12, .sample = 12, .moments = 3};
+  return {.scalars = 0, .instants = 0, .checkpoint = 10, .sample = 10, .moments = 0};
+}
+
+/// Rows that are written after so many steps each, and before the first.
+double rows(Scene const& scene, std::int64_t every) {
+  return every > 0 ? static_cast<double>(scene.run.steps / every + 1) : 0;
+}
+
+/// Bytes of a dataset that grows by rows: it takes whole chunks.
+double growing(double rows, double row_numbers) {
+  double const chunk = static_cast<double>(Store::chunk_rows(static_cast<std::size_t>(row_numbers * number)));
+  return std::ceil(rows / chunk) * chunk * row_numbers * number;
+}
+
+double results(Scene const& scene, Particle const& of) {
+  double const instants = rows(scene, instants_every(scene.run)),
+               stored =
+                   static_cast<double>(std::min<std::int64_t>(scene.particles.N, RunFile::stored_particles));
+  double bytes = growing(rows(scene, scene.run.sample_every), of.sample);
+  if (of.moments > 0)
+    bytes += growing(instants, of.moments) + of.instants * growing(instants, stored);
+
+  double const profiles = rows(scene, scene.profile.every), slices = static_cast<double>(scene.profile.bins);
+  if (profiles > 0) {
+    bytes += 2 * growing(profiles, 1) + growing(profiles, slices) + slices * number;
+    for (auto const& quantity : chosen(scene.profile.quantities, profile_quantities(), scene.method.name))
+      bytes += growing(profiles, quantity == "velocity" ? 3 * slices : slices);
+  }
+  double const histograms = rows(scene, scene.histogram.every),
+               bins = static_cast<double>(scene.histogram.bins);
+  if (histograms > 0)
+    bytes += 2 * growing(histograms, 1) +
+             static_cast<double>(
+                 chosen(scene.histogram.quantities, histogram_quantities(), scene.method.name).size()) *
+                 (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
+  return bytes;
+}
+
+double trajectories(Scene const& scene, Particle const& of) {
+  auto const N = static_cast<double>(scene.particles.N);
+  constexpr double vectors = 6; // of position and velocity
+  double const h5md = rows(scene, scene.run.trajectory_every), vtkhdf = rows(scene, scene.run.vtkhdf_every),
+               xyz = rows(scene, scene.run.xyz_every);
+  double const id = std::log10(N) + 1;
+  // Beside the vectors: steps, times and the box; the vertices and their ids; nothing.
+  double bytes = xyz * N * ((vectors + of.scalars) * text + id);
+  if (h5md > 0)
+    bytes += 2 * growing(h5md, 3 * N) + 6 * growing(h5md, 1) + growing(h5md, 9);
+  if (vtkhdf > 0)
+    bytes += 2 * growing(vtkhdf * N, 3) + of.scalars * growing(vtkhdf * N, 1) +
+             (12 + of.scalars) * growing(vtkhdf, 1) + N * (3 * number + 1);
+  return bytes;
+}
+
+} // namespace
+
+DiskEstimate estimate_disk(Scene const& scene) {
+  auto const of = particle_of(scene);
+  return {.results = results(scene, of),
+          .trajectories = trajectories(scene, of),
+          .checkpoint = static_cast<double>(scene.particles.N) * of.checkpoint * number};
+}
+
+} // namespace mesobridge::workflows
