@@ -21,7 +21,7 @@ struct TimeStep {
 
 /// An equilibrium run of SDPD, DPDE or DPD as its scene file describes it. Quantities are in SI, or in
 /// Lennard-Jones units when `units` says so. Plain data: what the keys mean, allow and default to stands in
-/// scene/keys.cpp.
+/// scene/keys/.
 struct Scene {
   std::string title;
   UnitSystem units = UnitSystem::SI;

@@ -1,0 +1,34 @@
+#pragma once
+#include "workflows/scene/keys.hpp"
+#include <utility>
+
+namespace mesobridge::workflows {
+
+inline constexpr Range positive{.min = 0, .open = true};
+inline constexpr Range not_negative{.min = 0};
+inline constexpr Range at_least_one{.min = 1};
+
+inline std::vector<std::string> const sdpd_only{"sdpd"}, pair_methods{"dpde", "dpd"};
+
+/// Builds one line of the table: what is not said stays at SceneKey's default.
+struct Line {
+  SceneKey key;
+  Line(std::string section, std::string name, std::function<Slot(Scene&)> slot, std::string meaning) {
+    key.section = std::move(section);
+    key.name = std::move(name);
+    key.slot = std::move(slot);
+    key.meaning = std::move(meaning);
+  }
+  Line of(std::vector<std::string> methods) && { return key.methods = std::move(methods), std::move(*this); }
+  Line required() && { return key.required = true, std::move(*this); }
+  Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
+  Line in(Range range) && { return key.range = range, std::move(*this); }
+  Line quantity(Dimension dimension, Range range) && {
+    key.dimension = dimension;
+    key.range = range;
+    return std::move(*this);
+  }
+  operator SceneKey() && { return std::move(key); }
+};
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,49 @@
+#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/tables.hpp"
+#include "workflows/scene/quantities.hpp"
+
+namespace mesobridge::workflows {
+
+std::vector<SceneKey> observe_keys() {
+  return {
+      Line(
+          "profile", "axis", [](Scene& s) { return &s.profile.axis; },
+          "direction of the profile: its slices are perpendicular to it")
+          .choices({"x", "y", "z"}),
+      Line(
+          "profile", "bins", [](Scene& s) { return &s.profile.bins; }, "slices of equal width")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "profile", "every", [](Scene& s) { return &s.profile.every; },
+          "steps between profiles, of one instant each, under `profile` of run.h5; 0: none")
+          .in(not_negative),
+      Line(
+          "profile", "quantities", [](Scene& s) { return &s.profile.quantities; },
+          "means over the particles of a slice: rho (dpde, dpd: mass per volume), velocity, T_kin (of the "
+          "motion "
+          "about that velocity), T_int (not dpd), P_internal (of the particles' own pressures, sdpd), P "
+          "(with what "
+          "the moving particles carry, sdpd). []: all that the method has")
+          .choices(names_of(profile_quantities())),
+      Line(
+          "histogram", "bins", [](Scene& s) { return &s.histogram.bins; }, "of equal width")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "histogram", "every", [](Scene& s) { return &s.histogram.every; },
+          "steps between histograms over all particles, of one instant each, under `histogram` of run.h5; 0: "
+          "none")
+          .in(not_negative),
+      Line(
+          "histogram", "reach", [](Scene& s) { return &s.histogram.reach; },
+          "bins reach from the mean of the first histogram's particles so many of their standard deviations "
+          "either "
+          "way; what lies beyond is counted as well")
+          .in({.min = 0, .open = true, .max = 1e6}),
+      Line(
+          "histogram", "quantities", [](Scene& s) { return &s.histogram.quantities; },
+          "of the particles: eps and T (not dpd), rho and P (sdpd). []: all that the method has")
+          .choices(names_of(histogram_quantities())),
+  };
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,83 @@
+#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/tables.hpp"
+
+namespace mesobridge::workflows {
+
+std::vector<SceneKey> pair_fluid_keys() {
+  return {
+      Line(
+          "potential", "name", [](Scene& s) { return &s.potential.name; },
+          "potential between two particles: none; soft, the force a (1 - r/cutoff); lj, cut and shifted; "
+          "wca; "
+          "exp-6 (Buckingham), which refuses pairs inside its maximum; table, a CSV file")
+          .choices({"none", "soft", "lj", "wca", "exp-6", "table"})
+          .of(pair_methods),
+      Line(
+          "potential", "a", [](Scene& s) { return &s.potential.a; }, "largest force; soft")
+          .quantity(Dimension::force, not_negative)
+          .of(pair_methods),
+      Line(
+          "potential", "epsilon", [](Scene& s) { return &s.potential.epsilon; },
+          "depth of the minimum; lj, wca (before its shift), exp-6")
+          .quantity(Dimension::energy, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "sigma", [](Scene& s) { return &s.potential.sigma; }, "where it is zero; lj, wca")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "r_m", [](Scene& s) { return &s.potential.r_m; }, "distance of the minimum; exp-6")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "alpha", [](Scene& s) { return &s.potential.alpha; }, "steepness; exp-6")
+          .in({.min = 7, .open = true, .max = 100})
+          .of(pair_methods),
+      Line(
+          "potential", "cutoff", [](Scene& s) { return &s.potential.cutoff; },
+          "where the potential ends and is shifted to zero; soft, lj, exp-6")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "potential", "file", [](Scene& s) { return &s.potential.file; },
+          "CSV with columns r,u and perhaps the force f (SI: r_m,u_J,f_N); table")
+          .of(pair_methods),
+      Line(
+          "friction", "gamma_par", [](Scene& s) { return &s.friction.gamma_par; },
+          "friction along the line of centres at contact: gamma (1 - r/cutoff)^exponent, at the set "
+          "temperature")
+          .quantity(Dimension::friction, not_negative)
+          .of(pair_methods),
+      Line(
+          "friction", "gamma_perp", [](Scene& s) { return &s.friction.gamma_perp; },
+          "the same across the line of centres")
+          .quantity(Dimension::friction, not_negative)
+          .of(pair_methods),
+      Line(
+          "friction", "cutoff", [](Scene& s) { return &s.friction.cutoff; },
+          "where the friction ends; the reduced unit of length")
+          .quantity(Dimension::length, positive)
+          .of(pair_methods),
+      Line(
+          "friction", "exponent", [](Scene& s) { return &s.friction.exponent; },
+          "of the weight; 2 is customary")
+          .in({.min = 0, .open = true, .max = 20})
+          .of(pair_methods),
+      Line(
+          "friction", "file", [](Scene& s) { return &s.friction.file; },
+          "CSV with columns r,gamma_par and perhaps gamma_perp (SI: r_m,gamma_par_kg_s,gamma_perp_kg_s), in "
+          "place of the above")
+          .of(pair_methods),
+      Line(
+          "internal_energy", "heat_capacity", [](Scene& s) { return &s.internal_energy.heat_capacity; },
+          "of a particle, in k_B, constant")
+          .in(positive)
+          .of({"dpde"}),
+      Line(
+          "internal_energy", "model", [](Scene& s) { return &s.internal_energy.model; },
+          "or the path of a model file with a table of C(T) or S(eps)")
+          .of({"dpde"}),
+  };
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,66 @@
+#include "sdpd/kernel/list.hpp"
+#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/tables.hpp"
+
+namespace mesobridge::workflows {
+
+std::vector<SceneKey> particle_keys() {
+  return {
+      Line(
+          "particles", "N", [](Scene& s) { return &s.particles.N; }, "how many particles")
+          .required()
+          .in(at_least_one),
+      Line(
+          "particles", "K", [](Scene& s) { return &s.particles.K; }, "size: molecules in one particle")
+          .required()
+          .in(at_least_one)
+          .of(sdpd_only),
+      Line(
+          "particles", "kernel", [](Scene& s) { return &s.particles.kernel; }, "smoothing kernel")
+          .choices(sdpd::kernel_names())
+          .of(sdpd_only),
+      Line(
+          "particles", "h_factor", [](Scene& s) { return &s.particles.h_factor; },
+          "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
+          .in({.min = 1, .max = 10})
+          .of(sdpd_only),
+      Line(
+          "particles", "disorder", [](Scene& s) { return &s.particles.disorder; },
+          "standard deviation of the initial displacements from a cubic lattice, in its spacings")
+          .in({.min = 0, .max = 0.5}),
+      Line(
+          "particles", "density", [](Scene& s) { return &s.particles.density; },
+          "constants c, eps of rho_i = c sum_j m_j W_ij - eps m_i W_ii(0): 1 and 0 (plain); those of a "
+          "glass; "
+          "given by the next two keys; or calibrated: found by a short run of this fluid and size, so that "
+          "its "
+          "mean density and pressure are those of the equation of state (calibrated-response: so that its "
+          "mean "
+          "density is, and follows a compression; for fluids almost without pressure), and written into the "
+          "next two keys. It is not repeated when they are there")
+          .choices({"plain", "glass", "given", "calibrated", "calibrated-response"})
+          .of(sdpd_only),
+      Line(
+          "particles", "density_scale", [](Scene& s) { return &s.particles.density_scale; },
+          "c; with density = given or calibrated")
+          .in({.min = 0, .open = true, .max = 10})
+          .of(sdpd_only),
+      Line(
+          "particles", "density_self", [](Scene& s) { return &s.particles.density_self; },
+          "eps, between -c and c; with density = given or calibrated")
+          .in({.min = -10, .max = 10})
+          .of(sdpd_only),
+      Line(
+          "particles", "calibration_steps", [](Scene& s) { return &s.particles.calibration_steps; },
+          "steps of a calibration, of at most about 1000 particles")
+          .in({.min = 200, .max = 1e9})
+          .of(sdpd_only),
+      Line(
+          "particles", "mass", [](Scene& s) { return &s.particles.mass; }, "mass of one particle")
+          .required()
+          .quantity(Dimension::mass, positive)
+          .of(pair_methods),
+  };
+}
+
+} // namespace mesobridge::workflows

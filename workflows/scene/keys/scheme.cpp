@@ -1,0 +1,74 @@
+#include "sdpd/scheme/list.hpp"
+#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/tables.hpp"
+#include <fmt/ranges.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+std::string pair_scheme_summaries() {
+  std::vector<std::string> words;
+  for (auto const& scheme : sdpd::pair_schemes())
+    words.push_back(scheme.name + ": " + scheme.summary);
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string conservative_summaries() {
+  std::vector<std::string> words;
+  for (auto const& integrator : sdpd::conservative_integrators())
+    words.push_back(integrator.name + ": " + integrator.summary);
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+} // namespace
+
+std::vector<SceneKey> scheme_keys() {
+  return {
+      Line(
+          "scheme", "name", [](Scene& s) { return &s.scheme.name; },
+          "what is done with the fluctuation and dissipation of a pair: " + pair_scheme_summaries())
+          .choices(sdpd::pair_scheme_names()),
+      Line(
+          "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
+          "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20)); \"auto\": "
+          "found "
+          "by a short study for the wanted drift or bias")
+          .required()
+          .quantity(Dimension::time, positive),
+      Line(
+          "scheme", "drift", [](Scene& s) { return &s.scheme.drift; },
+          "with dt = \"auto\": wanted rate of the relative energy error, such as \"1e-6/ps\" (a plain number "
+          "per unit of time when units = \"lj\")"),
+      Line(
+          "scheme", "bias", [](Scene& s) { return &s.scheme.bias; },
+          "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
+      Line(
+          "scheme", "dt_chosen_for", [](Scene& s) { return &s.scheme.dt_chosen_for; },
+          "written by the program: the wish that dt was chosen for"),
+      Line(
+          "scheme", "splitting", [](Scene& s) { return &s.scheme.splitting; },
+          "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
+          "either side (strang)")
+          .choices({"lie-trotter", "strang"}),
+      Line(
+          "scheme", "conservative", [](Scene& s) { return &s.scheme.conservative; },
+          "integrator of the conservative forces: " + conservative_summaries())
+          .choices(sdpd::conservative_names()),
+      Line(
+          "scheme", "fluctuate_every", [](Scene& s) { return &s.scheme.fluctuate_every; },
+          "conservative steps for one of fluctuation and dissipation (multiple time steps)")
+          .in({.min = 1, .max = 1e6}),
+      Line(
+          "scheme", "energy", [](Scene& s) { return &s.scheme.energy; },
+          "free, or kept: what the time step loses is given back to the internal energies")
+          .choices({"free", "kept"}),
+      Line(
+          "scheme", "noise", [](Scene& s) { return &s.scheme.noise; },
+          "on, or off: viscous smoothed particle hydrodynamics, which starts at rest")
+          .choices({"on", "off"})
+          .of(sdpd_only),
+  };
+}
+
+} // namespace mesobridge::workflows

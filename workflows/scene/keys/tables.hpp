@@ -1,0 +1,17 @@
+#pragma once
+#include "workflows/scene/keys.hpp"
+
+namespace mesobridge::workflows {
+
+/// The keys of a scene's tables, for scene_keys().
+std::vector<SceneKey> title_and_method_keys();
+std::vector<SceneKey> fluid_keys();
+std::vector<SceneKey> particle_keys();
+std::vector<SceneKey> pair_fluid_keys(); ///< potential, friction, internal energy
+std::vector<SceneKey> transport_keys();
+std::vector<SceneKey> scheme_keys();
+std::vector<SceneKey> run_keys();
+std::vector<SceneKey> observe_keys(); ///< profile, histogram
+std::vector<SceneKey> output_keys();
+
+} // namespace mesobridge::workflows
