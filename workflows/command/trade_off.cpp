@@ -14,18 +14,36 @@ namespace {
 struct Options {
   std::string scene;
   std::vector<std::string> set;
-  TradeOffPlan plan{.schemes = {"ssa", "ams", "ems"},
+  TradeOffPlan plan{.schemes = {},
                     .splittings = {"lie-trotter"},
                     .integrators = {"verlet", "two-stage"},
-                    .dt = {0.05, 0.1, 0.15, 0.2, 0.3},
+                    .dt = {},
                     .K = {}};
   std::optional<std::string> drift, bias;
   bool no_limit = false;
 };
 
-void check_plan(TradeOffPlan const& plan) {
+/// What the options leave open. DPD has no energies that ams and ems could look at.
+TradeOffPlan completed(TradeOffPlan plan, Scene const& scene) {
+  if (plan.schemes.empty())
+    plan.schemes = scene.has_energies() ? std::vector<std::string>{"ssa", "ams", "ems"}
+                                        : std::vector<std::string>{"ssa", "ser"};
+  if (plan.dt.empty())
+    plan.dt =
+        scene.is_sdpd() ? std::vector{0.05, 0.1, 0.15, 0.2, 0.3} : std::vector{0.01, 0.02, 0.03, 0.04, 0.06};
+  if (plan.K.empty())
+    plan.K = {scene.particles.K};
+  else
+    require(scene.is_sdpd(), "--K", plan.K.front(),
+            "belongs to SDPD: the particles of this scene have no size");
+  return plan;
+}
+
+void check_plan(TradeOffPlan const& plan, Scene const& scene) {
   for (auto const& name : plan.schemes)
-    sdpd::pair_scheme(name);
+    require(scene.has_energies() || (sdpd::pair_scheme(name) != sdpd::PairScheme::ams &&
+                                     sdpd::pair_scheme(name) != sdpd::PairScheme::ems),
+            "--schemes", name, "DPD has no internal energies, so there is no step to reject");
   for (auto const& name : plan.integrators)
     sdpd::conservative_integrator(name);
   for (auto const& name : plan.splittings)
@@ -33,7 +51,7 @@ void check_plan(TradeOffPlan const& plan) {
   for (double const dt : plan.dt)
     require(dt > 0 && std::isfinite(dt), "--dt", dt, "must be > 0 (reduced units)");
   for (double const K : plan.K)
-    require(K >= 1 && std::isfinite(K), "--K", K, "must be >= 1");
+    require(!scene.is_sdpd() || (K >= 1 && std::isfinite(K)), "--K", K, "must be >= 1");
 }
 
 Target target_of(Options const& options, Scene const& scene) {
@@ -45,6 +63,9 @@ Target target_of(Options const& options, Scene const& scene) {
     }
   };
   Target target;
+  if (options.drift)
+    require(scene.has_energies(), "--drift", *options.drift,
+            "the thermostat of DPD keeps no energy that could drift; wish for a --bias");
   double const time = settings_of(scene, 1).units().time();
   read("--drift", options.drift,
        [&] { target.drift = parse_target(options.drift, {}, scene.units, time).drift; });
@@ -57,11 +78,9 @@ Result run(Options const& options, Context const& context) {
   if (context.options.seed)
     overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
   Scene const scene = load_scene(options.scene, overrides);
-  auto plan = options.plan;
-  if (plan.K.empty())
-    plan.K = {scene.particles.K};
+  auto plan = completed(options.plan, scene);
   plan.stability_limit = !options.no_limit;
-  check_plan(plan);
+  check_plan(plan, scene);
   auto const target = target_of(options, scene);
   auto const directory =
       context.output_directory("out/trade-off-" + std::filesystem::path(options.scene).stem().string());
@@ -103,10 +122,14 @@ Command trade_off_command() {
         app.add_option("--set", options->set, "override a key of the scene: section.key=value; repeatable")
             ->expected(1)
             ->take_all();
-        app.add_option("--schemes", plan.schemes, "pair schemes")->delimiter(',');
+        app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
+            ->delimiter(',');
         app.add_option("--splittings", plan.splittings, "lie-trotter, strang")->delimiter(',');
         app.add_option("--integrators", plan.integrators, "of the conservative forces")->delimiter(',');
-        app.add_option("--dt", plan.dt, "time steps, reduced")->delimiter(',');
+        app.add_option(
+               "--dt", plan.dt,
+               "time steps, reduced (default: five from 0.05 to 0.3; of soft particles from 0.01 to 0.06)")
+            ->delimiter(',');
         app.add_option("--K", plan.K, "sizes of particles (default: the scene's)")->delimiter(',');
         app.add_option("--time", plan.time, "reduced time that each run samples")
             ->check(CLI::Range(20., 1e7));

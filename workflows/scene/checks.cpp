@@ -93,6 +93,10 @@ void check_wish(Scene const& scene, Places const& places) {
   };
   check("scheme.drift", scheme.drift, [&](std::string const& text) { parse_rate(text, scene.units); });
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
+  if (scheme.drift)
+    require_together(
+        scene.has_energies(), places, "scheme.drift", *scheme.drift,
+        "must not be given: the thermostat of dpd keeps no energy that could drift; wish for a bias");
   require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
                    "needs a wish: scheme.drift, such as \"1e-6/ps\", or scheme.bias, such as \"0.5%\"");
 }
@@ -122,7 +126,6 @@ void check_sdpd(Scene const& scene, Places const& places) {
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
                    scene.scheme.noise,
                    "must be \"on\" with scheme.name = \"ems\": a Metropolis test needs it");
-  check_wish(scene, places);
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
@@ -158,6 +161,7 @@ void check_schedules(Scene const& scene, Places const& places) {
 
 void check_together(Scene const& scene, Places const& places) {
   scene.is_sdpd() ? check_sdpd(scene, places) : check_pair_fluid(scene, places);
+  check_wish(scene, places);
   check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs
   require_together(scene.run.instant_every <= scene.run.steps / least_instants, places, "run.instant_every",

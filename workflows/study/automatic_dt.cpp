@@ -7,7 +7,18 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr double study_time = 200; ///< reduced time that each trial samples
+/// What is tried: reduced time steps, and the reduced time that each trial samples. Soft particles forget
+/// faster and want shorter steps.
+struct Tries {
+  std::vector<double> dt;
+  double time;
+};
+
+Tries tries_of(Scene const& scene) {
+  if (scene.is_sdpd())
+    return {{0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.4}, 200};
+  return {{0.01, 0.015, 0.02, 0.03, 0.04, 0.06}, 110};
+}
 
 Scene with_time_step(Scene scene, TimeStep const& dt) {
   scene.scheme.dt_chosen_for = wish_text(scene.scheme);
@@ -21,12 +32,13 @@ Scene with_time_step(Scene scene, TimeStep const& dt) {
 ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
   Scene trial = with_time_step(scene, {.value = 1});
   trial.scheme.dt_chosen_for = std::nullopt;
+  auto const tries = tries_of(scene);
   TradeOffPlan const plan{.schemes = {scene.scheme.name},
                           .splittings = {scene.scheme.splitting},
                           .integrators = {scene.scheme.conservative},
-                          .dt = {0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.4},
+                          .dt = tries.dt,
                           .K = {scene.particles.K},
-                          .time = study_time,
+                          .time = tries.time,
                           .stability_limit = false};
   auto const target =
       parse_target(scene.scheme.drift, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());

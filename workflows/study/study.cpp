@@ -1,6 +1,7 @@
 #include "workflows/study/study.hpp"
 #include "md/error.hpp"
 #include "workflows/job_pool.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include "workflows/study/trial_file.hpp"
 #include <map>
 #include <mutex>
@@ -16,6 +17,11 @@ std::string start_key(Scene scene) {
   return resolved_toml(scene);
 }
 
+/// Soft particles want shorter time steps than those of a fluid.
+double start_dt(Scene const& scene, StudyOptions const& options) {
+  return scene.is_sdpd() ? options.start_dt : options.start_dt / 5;
+}
+
 /// The common starts, each made once by the first job that needs it.
 class Starts {
  public:
@@ -27,7 +33,8 @@ class Starts {
     auto& start = starts_.at(start_key(scene));
     std::lock_guard const lock(start.mutex);
     if (!start.checkpoint)
-      start.checkpoint = equilibrated_start(scene, options_.start_dt, options_.start_time, keep_going);
+      start.checkpoint =
+          equilibrated_start(scene, start_dt(scene, options_), options_.start_time, keep_going);
     return *start.checkpoint;
   }
 
@@ -46,7 +53,8 @@ TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
   auto const& [name, scene, bins] = planned;
   try {
     auto const& start = starts.of(scene, [&] { return keep_going(0); });
-    return run_trial({name, scene, bins.value_or(bins_around(start, scene.particles.K))}, start, keep_going);
+    return run_trial({name, scene, bins.value_or(bins_around(start, settings_of(scene, 1).K))}, start,
+                     keep_going);
   } catch (PhysicsError const& error) {
     return {.failure = fmt::format("no equilibrium to begin with: {}", error.what()),
             .dt = scene.scheme.dt.value};
@@ -94,10 +102,22 @@ std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyO
   return results;
 }
 
+namespace {
+
+/// Edge of the smallest box, in mean distances between particles: twice the range, and the skin of the lists
+/// on both sides.
+double narrowest_edge(Scene const& scene) {
+  if (scene.is_sdpd())
+    return 2 * scene.particles.h_factor + 1.5;
+  auto const settings = settings_of(scene, 1);
+  return (2 * settings.range() + 1) / settings.spacing();
+}
+
+} // namespace
+
 Scene small_sample(Scene const& scene, std::int64_t particles) {
   Scene sample = scene;
-  constexpr double room = 1.5; // for the skin of the lists on both sides
-  auto const narrowest = static_cast<std::int64_t>(std::ceil(2 * scene.particles.h_factor + room));
+  auto const narrowest = static_cast<std::int64_t>(std::ceil(narrowest_edge(scene)));
   auto const side = std::max(narrowest, static_cast<std::int64_t>(std::llround(std::cbrt(particles))));
   sample.particles.N = side * side * side;
   sample.run.trajectory_every = 0;

@@ -13,7 +13,7 @@ struct PlannedTrial {
 struct StudyOptions {
   std::filesystem::path directory; ///< of the stored trials; empty: nothing is stored
   int threads = 1;
-  double start_dt = 0.05; ///< reduced time step of the common starts
+  double start_dt = 0.05; ///< reduced time step of the common starts; a fifth of it for DPD and DPDE
   double start_time = 60; ///< reduced time in which they come to equilibrium
   /// Told the share of the work that is done (0 ... 1) and the trial's name; false stops the study.
   std::function<bool(double, std::string const&)> keep_going = [](double, std::string const&) {

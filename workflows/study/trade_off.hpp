@@ -7,8 +7,8 @@ namespace mesobridge::workflows {
 /// What is varied.
 struct TradeOffPlan {
   std::vector<std::string> schemes, splittings, integrators;
-  std::vector<double> dt; ///< reduced
-  std::vector<double> K;
+  std::vector<double> dt;       ///< reduced
+  std::vector<double> K;        ///< of SDPD; 0 for others, which have no sizes
   double time = 256;            ///< reduced, sampled by each trial
   std::int64_t particles = 343; ///< of a trial, at least
   bool stability_limit = true;  ///< find the largest stable time step of every configuration
@@ -31,7 +31,8 @@ struct Configuration {
   std::string name() const;
 };
 
-/// Deviation of a trial from the reference of its size, relative.
+/// Deviation of a trial from the reference of its size, relative; what the method does not have is 0. T_kin
+/// of DPD is compared with the set temperature, which its thermostat keeps.
 struct Bias {
   cg::Estimate T_kin, T_int, P;
   cg::Estimate eps_variance;

@@ -48,22 +48,28 @@ Json trial_json(TradeOff const& found, Configuration const& of, TrialResult cons
   json["us_per_particle_step"] = trial.us_per_particle_step;
   json["us_per_particle" + std::string(units.si ? "_ps" : "_time")] =
       trial.us_per_particle_step / (dt * units.ps);
-  put(json, "energy_drift" + per, estimate(trial.drift(), units.ps));
-  put(json, "energy_drift_of_mean" + per, estimate(trial.drift_of_mean, units.ps));
+  bool const energies = found.scene.has_energies();
+  if (energies) {
+    put(json, "energy_drift" + per, estimate(trial.drift(), units.ps));
+    put(json, "energy_drift_of_mean" + per, estimate(trial.drift_of_mean, units.ps));
+  }
   if (trial.drift_of_walk.se > 0)
     put(json, "energy_drift_of_walk" + per, estimate(trial.drift_of_walk, units.ps));
   put(json, "T_kin" + units.units.temperature_key,
       {trial.T_kin.mean * units.units.temperature, trial.T_kin.se * units.units.temperature,
        trial.T_kin.n_eff});
-  put(json, "T_int" + units.units.temperature_key,
-      {trial.T_int.mean * units.units.temperature, trial.T_int.se * units.units.temperature,
-       trial.T_int.n_eff});
+  if (energies)
+    put(json, "T_int" + units.units.temperature_key,
+        {trial.T_int.mean * units.units.temperature, trial.T_int.se * units.units.temperature,
+         trial.T_int.n_eff});
   put(json, "P" + units.units.pressure_key,
       {trial.P.mean * units.units.pressure, trial.P.se * units.units.pressure, trial.P.n_eff});
-  put(json, "bias_T_kin", bias.T_kin), put(json, "bias_T_int", bias.T_int), put(json, "bias_P", bias.P);
-  put(json, "bias_eps_variance", bias.eps_variance);
-  json["eps_distribution_error"] = bias.distribution;
-  json["eps_distribution_noise"] = bias.distribution_noise;
+  put(json, "bias_T_kin", bias.T_kin), put(json, "bias_P", bias.P);
+  if (energies) {
+    put(json, "bias_T_int", bias.T_int), put(json, "bias_eps_variance", bias.eps_variance);
+    json["eps_distribution_error"] = bias.distribution;
+    json["eps_distribution_noise"] = bias.distribution_noise;
+  }
   json["rejected_out_of_domain"] = trial.rejected_out_of_domain;
   json["rejected_metropolis"] = trial.rejected_metropolis;
   return json;
@@ -118,13 +124,19 @@ Figure figure_of(std::vector<Plot> const& plots, std::string caption) {
 
 Table trial_table(TradeOff const& found, double K) {
   auto const units = units_of(found, K);
-  Table table{.header = {"scheme", "dt", fmt::format("us / particle {}", time_name(units)),
-                         fmt::format("drift [1/{}]", time_name(units)), "bias T_kin [%]", "bias T_int [%]",
-                         "bias P [%]", "bias var eps [%]", "eps error (4.18)", "its noise", "rejected [%]"},
-              .rows = {},
-              .caption =
-                  "dt in reduced units. Bias: against the trial of the exact scheme with the shortest time "
-                  "step; of the ideal gas's energies against their exact law."};
+  Table table{
+      .header = {"scheme", "dt", fmt::format("us / particle {}", time_name(units)),
+                 fmt::format("drift [1/{}]", time_name(units)), "bias T_kin [%]", "bias T_int [%]",
+                 "bias P [%]", "bias var eps [%]", "eps error (4.18)", "its noise", "rejected [%]"},
+      .rows = {},
+      .caption =
+          found.scene.has_energies()
+              ? "dt in reduced units. Bias: against the trial of the exact scheme with the shortest time "
+                "step; of the ideal gas's energies against their exact law."
+              : "dt in reduced units. Bias: of T_kin against the set temperature, which the thermostat "
+                "keeps; of P against the trial with the shortest time step."};
+  bool const energies = found.scene.has_energies();
+  auto of_energies = [&](std::string text) { return energies ? std::move(text) : std::string("-"); };
   auto percent = [](cg::Estimate const& e) { return with_error_text({100 * e.mean, 100 * e.se, e.n_eff}); };
   for (auto const& of : found.configurations) {
     if (of.K != K)
@@ -139,9 +151,10 @@ Table trial_table(TradeOff const& found, double K) {
       auto const bias = found.bias(of, trial);
       table.rows.push_back(
           {short_name(of), number_text(dt, 3), number_text(trial.us_per_particle_step / (dt * units.ps), 3),
-           with_error_text(estimate(trial.drift(), units.ps)), percent(bias.T_kin), percent(bias.T_int),
-           percent(bias.P), percent(bias.eps_variance), number_text(bias.distribution, 2),
-           number_text(bias.distribution_noise, 2),
+           of_energies(with_error_text(estimate(trial.drift(), units.ps))), percent(bias.T_kin),
+           of_energies(percent(bias.T_int)), percent(bias.P), of_energies(percent(bias.eps_variance)),
+           of_energies(number_text(bias.distribution, 2)),
+           of_energies(number_text(bias.distribution_noise, 2)),
            number_text(100 * (trial.rejected_out_of_domain + trial.rejected_metropolis), 2)});
     }
   }
@@ -177,21 +190,34 @@ Section size_section(TradeOff const& found, double K) {
     return cg::Estimate{bias.distribution, bias.distribution_noise, 1};
   };
   std::string const cost_axis = fmt::format("processor time [us per particle and {}]", time);
-  std::string const drift_axis = fmt::format("energy drift [1/{}]", time);
+  auto plots = [&]() -> std::vector<Plot> {
+    if (!found.scene.has_energies())
+      return {over_trials(found, K, frame("bias" + tag, "Bias of T_kin", cost_axis, "|bias of T_kin|"), cost,
+                          [&](Configuration const& of, TrialResult const& trial) {
+                            auto const bias = found.bias(of, trial).T_kin;
+                            return cg::Estimate{std::abs(bias.mean), bias.se, bias.n_eff};
+                          })};
+    std::string const drift_axis = fmt::format("energy drift [1/{}]", time);
+    return {over_trials(found, K, frame("pareto" + tag, "Drift against cost", cost_axis, drift_axis), cost,
+                        drift),
+            over_trials(
+                found, K, frame("drift" + tag, "Drift against time step", "dt [reduced]", drift_axis),
+                [](auto const&, double dt) { return dt; }, drift),
+            over_trials(found, K,
+                        frame("bias" + tag, "Error of the energies' distribution", cost_axis,
+                              "distribution error (4.18)"),
+                        cost, error)};
+  };
   return {
-      fmt::format("Particles of size K = {:g}", K),
-      {figure_of({over_trials(found, K, frame("pareto" + tag, "Drift against cost", cost_axis, drift_axis),
-                              cost, drift),
-                  over_trials(
-                      found, K, frame("drift" + tag, "Drift against time step", "dt [reduced]", drift_axis),
-                      [](auto const&, double dt) { return dt; }, drift),
-                  over_trials(found, K,
-                              frame("bias" + tag, "Error of the energies' distribution", cost_axis,
-                                    "distribution error (4.18)"),
-                              cost, error)},
-                 "Every point is a run; below and to the left is better. Points whose error reaches zero are "
-                 "left out."),
+      K > 0 ? fmt::format("Particles of size K = {:g}", K) : "Particles",
+      {figure_of(plots(), "Every point is a run; below and to the left is better. Points whose error reaches "
+                          "zero are left out."),
        trial_table(found, K), limit_table(found, K)}};
+}
+
+/// "K = 10: ", nothing for particles without sizes.
+std::string size_text(double K) {
+  return K > 0 ? fmt::format("K = {:g}: ", K) : "";
 }
 
 } // namespace
@@ -210,12 +236,12 @@ std::string recommendation_text(TradeOff const& found, Target const& target) {
   for (double const K : sizes(found)) {
     auto const choice = recommend(found, K, target);
     if (!choice) {
-      text += fmt::format("K = {:g}: no scheme that was tried meets this target\n", K);
+      text += size_text(K) + "no scheme that was tried meets this target\n";
       continue;
     }
     auto const units = units_of(found, K);
     text += fmt::format(
-        "K = {:g}: {}, dt = {:.2g} reduced ({:.3g} {}), {:.3g} us per particle and {}; limited by {}\n", K,
+        "{}{}, dt = {:.2g} reduced ({:.3g} {}), {:.3g} us per particle and {}; limited by {}\n", size_text(K),
         short_name(found.configurations[choice->configuration]), choice->dt, choice->dt * units.ps,
         time_name(units), choice->us_per_particle_time / units.ps, time_name(units), choice->because);
   }
@@ -225,8 +251,9 @@ std::string recommendation_text(TradeOff const& found, Target const& target) {
 Json trade_off_json(TradeOff const& found, Target const& target) {
   Json json;
   for (auto const& of : found.configurations) {
-    Json one{
-        {"K", of.K}, {"scheme", of.scheme}, {"splitting", of.splitting}, {"conservative", of.integrator}};
+    Json one{{"scheme", of.scheme}, {"splitting", of.splitting}, {"conservative", of.integrator}};
+    if (of.K > 0)
+      one["K"] = of.K;
     if (of.stable_dt)
       one["largest_stable_dt_reduced"] = *of.stable_dt;
     if (of.failing_dt)
@@ -245,13 +272,15 @@ Json trade_off_json(TradeOff const& found, Target const& target) {
     if (!choice)
       continue;
     auto const& of = found.configurations[choice->configuration];
-    json["recommended"].push_back({{"K", K},
-                                   {"scheme", of.scheme},
-                                   {"splitting", of.splitting},
-                                   {"conservative", of.integrator},
-                                   {"dt_reduced", choice->dt},
-                                   {"us_per_particle_reduced_time", choice->us_per_particle_time},
-                                   {"limited_by", choice->because}});
+    Json one{{"scheme", of.scheme},
+             {"splitting", of.splitting},
+             {"conservative", of.integrator},
+             {"dt_reduced", choice->dt},
+             {"us_per_particle_reduced_time", choice->us_per_particle_time},
+             {"limited_by", choice->because}};
+    if (K > 0)
+      one["K"] = K;
+    json["recommended"].push_back(std::move(one));
   }
   return json;
 }
@@ -273,6 +302,8 @@ Report trade_off_report(TradeOff const& found, Target const& target) {
                 .provenance = {}};
   for (double const K : sizes(found))
     report.sections.push_back(size_section(found, K));
+  if (!found.scene.has_energies())
+    return report;
   report.sections.push_back(
       {"How the drift is measured",
        {Paragraph{

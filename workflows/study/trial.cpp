@@ -18,7 +18,8 @@ constexpr double walk_lag = 3; ///< reduced time: the bounded part of the energy
 class TrialRun {
  public:
   TrialRun(Trial const& trial, sdpd::Checkpoint const& start)
-      : trial_(trial), settings_(settings_of(trial.scene, 1)), simulation_(settings_) {
+      : trial_(trial), settings_(settings_of(trial.scene, 1)), simulation_(settings_),
+        sampler_(observables_of(settings_)) {
     simulation_.begin_from(start);
     counts_at_start_ = simulation_.pair_counts();
   }
@@ -83,6 +84,8 @@ class TrialRun {
 
   std::vector<double> histogram(std::vector<double> const& values) const {
     auto const& bins = trial_.bins;
+    if (!trial_.scene.has_energies())
+      return {};
     return cg::histogram(values, bins.lower, bins.upper, bins.count).density;
   }
 
@@ -104,7 +107,9 @@ class TrialRun {
         .P = equilibrium.P,
         .eps_mean = in(equilibrium.eps.mean, K),
         .eps_variance = in(equilibrium.eps.variance, K * K),
-        .drift_of_mean = {sign * equilibrium.drift.rate, equilibrium.drift.se},
+        .drift_of_mean = trial_.scene.has_energies()
+                             ? sdpd::Drift{sign * equilibrium.drift.rate, equilibrium.drift.se}
+                             : sdpd::Drift{}, // DPD's thermostat keeps no energy that could drift
         .drift_of_walk = walk(),
         .rejected_out_of_domain =
             static_cast<double>(counts.out_of_domain - counts_at_start_.out_of_domain) / pairs,
@@ -129,8 +134,8 @@ class TrialRun {
 
   sdpd::Drift walk() const {
     auto const times = sampler_.times();
-    bool const conserved =
-        settings_.scheme.keep_energy || settings_.scheme.conservative == sdpd::Conservative::none;
+    bool const conserved = !trial_.scene.has_energies() || settings_.scheme.keep_energy ||
+                           settings_.scheme.conservative == sdpd::Conservative::none;
     if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 34 * walk_lag)
       return {};
     return sdpd::drift_from_energy_walk(times, sampler_.energies(), walk_lag, 1 / settings_.K, 1);
@@ -169,7 +174,8 @@ sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
                                     std::function<bool()> const& keep_going) {
   auto settings = settings_of(scene, 1);
   settings.dt = dt;
-  settings.scheme = {.pairs = settings.noise ? sdpd::PairScheme::ems : sdpd::PairScheme::ssa};
+  bool const exact = settings.noise && scene.has_energies();
+  settings.scheme = {.pairs = exact ? sdpd::PairScheme::ems : sdpd::PairScheme::ssa};
   sdpd::Simulation simulation(settings);
   sdpd::equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
   return simulation.checkpoint();
@@ -182,6 +188,8 @@ TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
 
 EnergyBins bins_around(sdpd::Checkpoint const& start, double K) {
   auto const& eps = start.eps;
+  if (eps.empty())
+    return {};
   double const mean = gsl_stats_mean(eps.data(), 1, eps.size()), sd = gsl_stats_sd(eps.data(), 1, eps.size());
   constexpr double reach = 8;
   return {.lower = K * (mean - reach * sd), .upper = K * (mean + reach * sd)};

@@ -43,7 +43,8 @@ struct TrialResult {
   std::vector<double> histogram() const;
 };
 
-/// An equilibrated state of the scene's fluid and size, made with the exact scheme and a short time step.
+/// An equilibrated state of the scene's fluid and size, made with the exact scheme (SSA for DPD) and a short
+/// time step.
 sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
                                     std::function<bool()> const& keep_going);
 
@@ -51,7 +52,8 @@ sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
 TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
                       std::function<bool(std::uint64_t)> const& keep_going);
 
-/// Bins that hold all energies of particles of this state: mean and eight standard deviations.
+/// Bins that hold all energies of particles of this state: mean and eight standard deviations. None when they
+/// have no energies. `K` is 1 where particles have no sizes.
 EnergyBins bins_around(sdpd::Checkpoint const& start, double K);
 
 /// Quadratic distance of two distributions, relative to the second (thesis, Eq. 4.18).

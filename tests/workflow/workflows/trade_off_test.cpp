@@ -80,18 +80,61 @@ TEST(TradeOffCommand, MeasuresRecommendsAndGoesOnWhereItStopped) {
   EXPECT_EQ(untouched, json["configurations"][0]); // with its times: it was read
 }
 
+class SoftTradeOff : public ::testing::TestWithParam<char const*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, SoftTradeOff, ::testing::Values("dpd-fluid", "dpde-fluid"),
+                         [](auto const& info) { return info.index == 0 ? "dpd" : "dpde"; });
+
+TEST_P(SoftTradeOff, RecommendsATimeStepThatKeepsTheTemperature) {
+  bool const energies = std::string(GetParam()) == "dpde-fluid";
+  std::string const scene = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + std::string(GetParam()) + ".toml";
+  ScratchDirectory const scratch;
+  auto const study = program({"trade-off", scene, "--schemes", "ssa", "--integrators", "verlet", "--dt",
+                              "0.01,0.02,0.04,0.06", "--time", "60", "--particles", "216", "--no-limit",
+                              "--bias", "1%", "-o", (scratch / "study").string(), "--quiet", "--json"});
+  ASSERT_EQ(study.status, 0) << study.errors;
+  auto const json = Json::parse(study.output);
+  ASSERT_EQ(json["configurations"].size(), 1u);
+  EXPECT_FALSE(json["configurations"][0].contains("K"));
+  int finished = 0;
+  for (auto const& trial : json["configurations"][0]["trials"]) {
+    EXPECT_GT(trial["bias_T_kin_se"].get<double>(), 0);
+    EXPECT_EQ(trial.contains("energy_drift_per_time"), energies);
+    EXPECT_EQ(trial.contains("bias_T_int"), energies);
+    EXPECT_EQ(trial.contains("eps_distribution_error"), energies);
+    ++finished;
+  }
+  EXPECT_EQ(finished, 4);
+  ASSERT_EQ(json["recommended"].size(), 1u);
+  double const dt = json["recommended"][0]["dt_reduced"];
+  EXPECT_GT(dt, 0.005);
+  EXPECT_LE(dt, 0.06);
+  // Another run at that step, of a fluid whose temperature is known.
+  auto const run = program({"run", scene, "-o", (scratch / "run").string(), "--quiet", "--json", "--seed",
+                            "7", "--set", fmt::format("scheme.dt={}", dt), "--set", "particles.N=729",
+                            "--set", fmt::format("run.steps={}", static_cast<int>(60 / dt))});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  auto const found = Json::parse(run.output);
+  double const T = found["T_kin"], se = found["T_kin_se"];
+  EXPECT_LT(se, 0.01);
+  EXPECT_LT(std::abs(T - 1), 0.01 + 3 * se);
+  EXPECT_NE(read_text_file(scratch / "study" / "report.html").find("<svg"), std::string::npos);
+}
+
 TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
   ScratchDirectory const scratch;
   struct Case {
     std::vector<std::string> more;
     char const* message;
+    std::string scene = "ideal-gas";
   };
   int ran = 0;
-  for (auto const& [more, message] :
+  for (auto const& [more, message, scene] :
        {Case{{"--schemes", "sss"}, "ems"}, Case{{"--dt", "-1"}, "--dt"},
         Case{{"--drift", "1e-6"}, "per unit of time"}, Case{{"--integrators", "euler"}, "two-stage"},
-        Case{{"--bias", "2"}, "0.5%"}}) {
-    std::vector<std::string> words{"trade-off", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml",
+        Case{{"--bias", "2"}, "0.5%"}, Case{{"--drift", "1e-6"}, "keeps no energy", "dpd-fluid"},
+        Case{{"--schemes", "ems"}, "no internal energies", "dpd-fluid"},
+        Case{{"--K", "10"}, "--K", "dpde-fluid"}}) {
+    std::vector<std::string> words{"trade-off", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + scene + ".toml",
                                    "-o", (scratch / "x").string()};
     words.insert(words.end(), more.begin(), more.end());
     auto const result = program(words);
@@ -99,7 +142,7 @@ TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
     EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
     ++ran;
   }
-  EXPECT_EQ(ran, 5);
+  EXPECT_EQ(ran, 8);
 }
 
 std::string auto_scene() {
@@ -107,6 +150,27 @@ std::string auto_scene() {
          "\"1e-25 kg\"\n"
          "[particles]\nN = 343\nK = 10\n[transport]\neta = \"2e-3 Pa*s\"\n"
          "[run]\nequilibrate = 64\nsteps = 640\n[scheme]\ndt = \"auto\"\ndrift = \"1e-4/ps\"\n";
+}
+
+TEST(AutomaticTimeStep, MeetsAWishForABiasOfDpd) {
+  ScratchDirectory const scratch;
+  auto run = [&](std::string const& wish) {
+    return program({"run", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/dpd-fluid.toml", "-o",
+                    (scratch / "a").string(), "--quiet", "--json", "--set", "scheme.dt=auto", "--set", wish,
+                    "--set", "particles.N=729", "--set", "run.steps=1600"});
+  };
+  auto const result = run("scheme.bias=1 %");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  double const dt = json["dt_reduced"], T = json["T_kin"], se = json["T_kin_se"];
+  EXPECT_GT(dt, 0.01);
+  EXPECT_LE(dt, 0.06);
+  EXPECT_LT(std::abs(T - 1), 0.01 + 3 * se);
+  auto const resolved = read_text_file(scratch / "a" / "scene.toml");
+  EXPECT_NE(resolved.find("dt_chosen_for = \"bias 1 %\""), std::string::npos) << resolved;
+  auto const drift = run("scheme.drift=\"1e-4\"");
+  EXPECT_EQ(drift.status, 2);
+  EXPECT_NE(drift.errors.find("wish for a bias"), std::string::npos) << drift.errors;
 }
 
 TEST(AutomaticTimeStep, IsFoundStoredAndKeptOnResume) {
