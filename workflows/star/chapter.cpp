@@ -25,12 +25,14 @@ std::filesystem::path make_folder(std::filesystem::path const& folder) {
   return folder;
 }
 
-MeltJob melt_job(ChapterPlan const& plan, md::StarPolymer const& star, double rho,
+MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPlan::Melt const& melt,
                  std::filesystem::path const& directory, Context const& context) {
   MeltJob job{.settings = plan.melt};
   job.settings.star = star;
-  job.settings.rho = rho;
-  job.settings.directory = make_folder(directory / fmt::format("melt-{}-{}", star.name(), rho));
+  job.settings.rho = melt.rho;
+  job.settings.molecules = melt.molecules;
+  job.settings.sampling_steps = melt.sampling_steps;
+  job.settings.directory = make_folder(directory / fmt::format("melt-{}-{}", star.name(), melt.rho));
   if (is_done(job.summary(), job.settings.fingerprint(), md::frames_of(job.settings)))
     return job;
   job.resume = std::filesystem::exists(job.settings.restart_file());
@@ -66,58 +68,99 @@ std::vector<double> energies_of(BlobData const& canonical) {
   return energies;
 }
 
+struct VacuumRuns {
+  BlobData canonical, microcanonical;
+};
+
+VacuumRuns vacuum_runs(ChapterPlan const& plan, md::StarPolymer const& star,
+                       std::filesystem::path const& directory, Context const& context) {
+  auto settings = plan.vacuum;
+  settings.star = star;
+  auto canonical = vacuum_data(settings, directory, context);
+  settings.ensemble = md::VacuumEnsemble::microcanonical;
+  settings.levels = energies_of(canonical);
+  settings.sampling_steps = plan.microcanonical_steps;
+  return {std::move(canonical), vacuum_data(settings, directory, context)};
+}
+
+ChapterMelt analysed(MeltJob const& job, VacuumRuns const& vacuum) {
+  auto data = read_blobs(job.blobs());
+  auto entropy = entropy_routes(
+      {.melt = data, .vacuum = vacuum.canonical, .microcanonical = vacuum.microcanonical, .order = 3});
+  double const h = default_h(data.head);
+  auto const series = series_of(std::move(data));
+  double const half_edge = series.boxes.front().edge.x / 2;
+  cg::CorrelationSettings const how{.h = std::min(h, half_edge), .pair_stride = default_pair_stride(series)};
+  return {.star = job.settings.star,
+          .rho = job.settings.rho,
+          .correlations = cg::correlations(series, how),
+          .entropy = std::move(entropy),
+          .run = Json::parse(read_text_file(job.summary()))};
+}
+
 } // namespace
 
 ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
+  constexpr md::StarPolymer small{.arms = 6, .beads = 3}, middle{.arms = 6, .beads = 6},
+      large{.arms = 6, .beads = 12};
   ChapterPlan plan{
-      .molecules = {{{.arms = 6, .beads = 3}, {0.3}}},
-      .melt = {.molecules = 343, .equilibration_steps = 10000, .sampling_steps = 300000, .seed = seed},
+      .molecules = {{small, {{.rho = 0.3, .molecules = 343, .sampling_steps = 300000}}}},
+      .melt = {.equilibration_steps = 10000, .seed = seed},
       .vacuum = {.molecules = 600, .equilibration_steps = 5000, .sampling_steps = 60000, .seed = seed},
       .microcanonical_steps = 20000};
   if (preset == md::Preset::quick)
     return plan;
-  plan.molecules = {{{.arms = 6, .beads = 3}, {0.3, 0.1, 0.2, 0.4, 0.5}},
-                    {{.arms = 6, .beads = 6}, {0.3}},
-                    {{.arms = 6, .beads = 12}, {0.3}}};
-  plan.melt.molecules = 500;
   plan.melt.equilibration_steps = 30000;
-  plan.vacuum.sampling_steps = 200000;
-  plan.microcanonical_steps = 100000;
+  plan.melt.sample_every = 200;
+  plan.vacuum.sampling_steps = 100000;
+  plan.microcanonical_steps = 30000;
+  // Twice the thesis's: the energy still keeps to 1e-4 k_B T a bead.
+  plan.melt.dt = plan.vacuum.dt = 0.002;
+  // The energies of thin melts forget slowly, and those of large molecules: they are followed for longer. The
+  // first melt is the one in which pairs in contact are looked at closely.
+  plan.molecules = {{small,
+                     {{.rho = 0.3, .molecules = 1000, .sampling_steps = 1000000},
+                      {.rho = 0.1, .molecules = 343, .sampling_steps = 600000},
+                      {.rho = 0.2, .molecules = 500, .sampling_steps = 400000},
+                      {.rho = 0.4, .molecules = 500, .sampling_steps = 300000},
+                      {.rho = 0.5, .molecules = 500, .sampling_steps = 300000}}},
+                    {middle,
+                     {{.rho = 0.3, .molecules = 400, .sampling_steps = 300000},
+                      {.rho = 0.1, .molecules = 216, .sampling_steps = 1000000},
+                      {.rho = 0.2, .molecules = 343, .sampling_steps = 500000},
+                      {.rho = 0.4, .molecules = 400, .sampling_steps = 300000},
+                      {.rho = 0.5, .molecules = 400, .sampling_steps = 300000}}},
+                    {large,
+                     {{.rho = 0.3, .molecules = 343, .sampling_steps = 350000},
+                      {.rho = 0.1, .molecules = 128, .sampling_steps = 1500000},
+                      {.rho = 0.2, .molecules = 216, .sampling_steps = 750000},
+                      {.rho = 0.4, .molecules = 450, .sampling_steps = 350000},
+                      {.rho = 0.5, .molecules = 560, .sampling_steps = 300000}}}};
   if (preset == md::Preset::paper) {
-    plan.melt.molecules = 1000;
+    plan.melt.dt = plan.vacuum.dt = 0.001;
     plan.melt.equilibration_steps = 100000;
-    plan.melt.sampling_steps = 5000000;
     plan.melt.sample_every = 500;
     plan.vacuum.sampling_steps = 1000000;
+    plan.microcanonical_steps = 100000;
+    for (auto& molecule : plan.molecules)
+      for (auto& melt : molecule.melts)
+        melt.molecules = std::max(melt.molecules, 1000), melt.sampling_steps = 5000000;
   }
   return plan;
 }
 
 Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& directory, Context const& context) {
-  Chapter chapter;
-  for (auto const& [star, densities] : plan.molecules) {
-    auto settings = plan.vacuum;
-    settings.star = star;
-    auto const canonical = vacuum_data(settings, directory, context);
-    settings.ensemble = md::VacuumEnsemble::microcanonical;
-    settings.levels = energies_of(canonical);
-    settings.sampling_steps = plan.microcanonical_steps;
-    auto const microcanonical = vacuum_data(settings, directory, context);
-    for (double const rho : densities) {
-      auto const job = melt_job(plan, star, rho, directory, context);
-      auto data = read_blobs(job.blobs());
-      EntropyInputs inputs{.melt = data, .vacuum = canonical, .microcanonical = microcanonical, .order = 3};
-      double const h = default_h(data.head);
-      auto const series = series_of(std::move(data));
-      double const half_edge = series.boxes.front().edge.x / 2;
-      cg::CorrelationSettings const how{.h = std::min(h, half_edge),
-                                        .pair_stride = default_pair_stride(series)};
-      chapter.melts.push_back({.star = star,
-                               .rho = rho,
-                               .correlations = cg::correlations(series, how),
-                               .entropy = entropy_routes(inputs),
-                               .run = Json::parse(read_text_file(job.summary()))});
+  for (bool const first : {true, false}) // what tells most is there first, should the run be interrupted
+    for (auto const& [star, melts] : plan.molecules) {
+      vacuum_runs(plan, star, directory, context);
+      for (std::size_t k = first ? 0 : 1; k < (first ? 1 : melts.size()); ++k)
+        melt_run(plan, star, melts[k], directory, context);
     }
+  Chapter chapter;
+  for (auto const& [star, melts] : plan.molecules) {
+    auto const vacuum = vacuum_runs(plan, star, directory, context);
+    for (auto const& melt : melts)
+      chapter.melts.push_back(analysed(melt_run(plan, star, melt, directory, context), vacuum));
   }
   return chapter;
 }

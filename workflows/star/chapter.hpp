@@ -10,12 +10,17 @@ namespace mesobridge::workflows {
 
 /// The runs that chapter 3 of the thesis takes.
 struct ChapterPlan {
+  struct Melt {
+    double rho = 0;
+    int molecules = 0;
+    std::int64_t sampling_steps = 0;
+  };
   struct Molecule {
     md::StarPolymer star;
-    std::vector<double> densities; ///< the first one is told in full
+    std::vector<Melt> melts; ///< the first one is told in full, and made before the others
   };
   std::vector<Molecule> molecules;
-  md::StarMeltSettings melt;     ///< but for star, density, directory
+  md::StarMeltSettings melt;     ///< but for star, density, molecules, length, directory
   md::StarVacuumSettings vacuum; ///< but for star, levels of energy, directory
   std::int64_t microcanonical_steps = 0;
 };
