@@ -60,9 +60,18 @@ struct Correlations {
   double contact = 0;      ///< where g(r) first reaches 1/2: nearer pairs are in contact
   Estimate contact_energy; ///< <U1 U2>/<U>^2 of all pairs in contact
   Profile U_of_density;    ///< <U>^rho / <U> - 1 against rho
+  /// The same by configurational energies W = U - U_kin + <U_kin>. In equilibrium the momenta do not depend
+  /// on the positions, so that <W1 W2>^r = <U1 U2>^r and <W>^rho = <U>^rho, with far less noise.
+  struct Configurational {
+    Profile u_minus_g, pair_energy, U_of_density;
+    Estimate contact_energy, C_UD;
+  } configurational;
   /// One instant of all molecules: translational energy, intrinsic energy, local density.
   std::vector<double> K_snapshot, U_snapshot, density_snapshot;
   std::vector<KeyTest> tests;
+
+  /// The test of that name, which must be there.
+  KeyTest const& test(std::string const& name) const;
 };
 
 /// Throws InputError for a series of fewer than two molecules or without a box, PhysicsError when the run is

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <stdexcept>
 
 namespace mesobridge::cg {
 namespace {
@@ -51,12 +52,24 @@ std::vector<KeyTest> key_tests(Correlations const& c) {
                    .in_se = c.map.typical_from_noise > 0 ? std::sqrt(excess) / c.map.typical_from_noise : 0,
                    .statement = fmt::format("typical relative error {:.3g}, of which noise makes {:.3g}",
                                             c.map.typical, c.map.typical_from_noise)});
+  auto const& w = c.configurational;
+  std::string const nearer = fmt::format("pairs nearer than {:.3g}", c.contact);
   tests.push_back(worst_bin("u(r) = g(r) beyond contact", c.pair_energy, c.contact, 1, "r"));
-  tests.push_back(test_of("<U1 U2>^r = <U>^2 at contact", c.contact_energy, 1,
-                          fmt::format("pairs nearer than {:.3g}", c.contact)));
+  tests.push_back(worst_bin("u(r) = g(r) beyond contact, configurational", w.pair_energy, c.contact, 1, "r"));
+  tests.push_back(test_of("<U1 U2>^r = <U>^2 at contact", c.contact_energy, 1, nearer));
+  tests.push_back(test_of("<U1 U2>^r = <U>^2 at contact, configurational", w.contact_energy, 1, nearer));
   tests.push_back(test_of("C_UD = 0", c.C_UD, 0, "intrinsic energy against local density"));
+  tests.push_back(test_of("C_UD = 0, configurational", w.C_UD, 0, "the same with less noise"));
   tests.push_back(worst_bin("<U>^rho = <U>", c.U_of_density, -1, 0, "rho"));
+  tests.push_back(worst_bin("<U>^rho = <U>, configurational", w.U_of_density, -1, 0, "rho"));
   return tests;
+}
+
+KeyTest const& Correlations::test(std::string const& name) const {
+  auto const found = std::find_if(tests.begin(), tests.end(), [&](auto const& t) { return t.name == name; });
+  if (found == tests.end())
+    throw std::logic_error(fmt::format("there is no test '{}' of the key approximation", name));
+  return *found;
 }
 
 } // namespace mesobridge::cg

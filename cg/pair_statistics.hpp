@@ -1,5 +1,6 @@
 #pragma once
 #include "cg/correlations.hpp"
+#include "cg/jackknife.hpp"
 
 namespace mesobridge::cg {
 
@@ -21,14 +22,17 @@ class PairStatistics {
   std::size_t radial_bins() const;
   /// The bins of g(r) that stand for each result: the innermost ones are joined until they hold enough pairs.
   std::vector<std::size_t> joined_bins() const;
-  void radial_into(std::vector<std::vector<double>> const& sums, Correlations& out) const;
-  void density_into(std::vector<std::pair<std::size_t, std::size_t>> const& blocks, Correlations& out) const;
+  /// How many of the joined bins lie nearer than where g(r) first reaches its value at contact; at least 1.
+  std::size_t bins_in_contact(std::vector<Sums> const& sums, std::vector<std::size_t> const& ends,
+                              std::vector<double> const& ideal) const;
+  void radial_into(std::vector<Sums> const& sums, Correlations& out) const;
 
   BlobSeries const& series_;
   CorrelationSettings settings_;
   double r_max_ = 0, volume_ = 0, U_mean_ = 0;
+  std::vector<double> W_; ///< configurational energy of each blob
   std::vector<double> densities_;
-  /// Of each frame looked at: pairs and sum of U1 U2/<U>^2 in every radial bin.
+  /// Of each frame looked at: pairs, sums of U1 U2/<U>^2 and of W1 W2/<U>^2 in every radial bin.
   std::vector<std::vector<double>> frames_;
 };
 

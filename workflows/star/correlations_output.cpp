@@ -70,6 +70,7 @@ Json correlations_json(cg::Correlations const& found) {
   put(json, "C_KU", found.C_KU);
   json["C_KU_expected"] = found.C_KU_expected;
   put(json, "C_UD", found.C_UD);
+  put(json, "C_UD_configurational", found.configurational.C_UD);
   put(json, "U_mean", found.U_mean);
   put(json, "U_variance", found.U_variance);
   put(json, "K_mean", found.K_mean);
@@ -85,6 +86,7 @@ Json correlations_json(cg::Correlations const& found) {
   json["block_time"] = found.block_time;
   json["contact_r"] = found.contact;
   put(json, "contact_energy", found.contact_energy);
+  put(json, "contact_energy_configurational", found.configurational.contact_energy);
   json["tests"] = Json::array();
   for (auto const& test : found.tests)
     json["tests"].push_back({{"test", test.name},
@@ -98,6 +100,11 @@ Json correlations_json(cg::Correlations const& found) {
   json["u"] = profile_json(found.u, "r", "u");
   json["u_minus_g"] = profile_json(found.u_minus_g, "r", "u_minus_g");
   json["pair_energy"] = profile_json(found.pair_energy, "r", "U1U2_over_U_squared");
+  json["u_minus_g_configurational"] = profile_json(found.configurational.u_minus_g, "r", "u_minus_g");
+  json["pair_energy_configurational"] =
+      profile_json(found.configurational.pair_energy, "r", "U1U2_over_U_squared");
+  json["U_of_density_configurational"] =
+      profile_json(found.configurational.U_of_density, "rho", "U_relative_deviation");
   json["U_of_density"] = profile_json(found.U_of_density, "rho", "U_relative_deviation");
   json["relative_error_map"] = map_json(found.map);
   return json;
@@ -107,12 +114,12 @@ std::string correlations_text(cg::Correlations const& found) {
   std::string text = fmt::format(
       "beta  {}\nC_KU  {}\nC_UD  {}\n<U>   {}\n"
       "autocorrelation times: P {:.3g}, U {:.3g}, local density {:.3g}; a centre diffuses a mean distance in "
-      "{:.3g}\nerrors from {} blocks of {:.3g} time units\n\n{:<36} {:>12} {:>10}  {}\n",
+      "{:.3g}\nerrors from {} blocks of {:.3g} time units\n\n{:<47} {:>12} {:>10}  {}\n",
       with_error_text(found.beta), with_error_text(found.C_KU), with_error_text(found.C_UD),
       with_error_text(found.U_mean), found.tau_P.tau, found.tau_U.tau, found.tau_rho.tau, found.tau_R,
       found.blocks, found.block_time, "test of the key approximation", "deviation", "in se", "");
   for (auto const& test : found.tests)
-    text += fmt::format("{:<36} {:>12.3g} {:>10.2f}  {}\n", test.name, test.deviation.mean, test.in_se,
+    text += fmt::format("{:<47} {:>12.3g} {:>10.2f}  {}\n", test.name, test.deviation.mean, test.in_se,
                         test.statement);
   return text;
 }

@@ -66,7 +66,7 @@ TEST(Correlations, IndependentBlobsPassEveryTestWithTheRightNumbers) {
   EXPECT_TRUE(agrees(found.C_KU, 0, 4));
   EXPECT_TRUE(agrees(found.C_UD, 0, 4));
   EXPECT_LT(found.C_KU.se, 0.02);
-  ASSERT_EQ(found.tests.size(), 7u);
+  ASSERT_EQ(found.tests.size(), 11u);
   for (auto const& test : found.tests)
     EXPECT_LT(std::abs(test.in_se), 4) << test.name << ": " << test.statement;
   ASSERT_GE(found.g.x.size(), 8u);
@@ -87,11 +87,52 @@ TEST(Correlations, IndependentBlobsPassEveryTestWithTheRightNumbers) {
 TEST(Correlations, ADependenceOfEnergyOnPlaceIsFound) {
   auto const found = correlations(made(2, 0.3), settings);
   EXPECT_GT(found.C_UD.mean, 10 * found.C_UD.se);
-  EXPECT_GT(found.tests[5].in_se, 10);
+  EXPECT_GT(found.test("C_UD = 0").in_se, 10);
   EXPECT_GT(found.pair_energy.y.front().mean, 1 + 5 * found.pair_energy.y.front().se)
       << "near pairs have more";
   EXPECT_GT(found.U_of_density.y.back().mean, 5 * found.U_of_density.y.back().se);
-  EXPECT_LT(std::abs(found.tests[1].in_se), 4) << "momenta stay independent";
+  EXPECT_LT(std::abs(found.test("C_KU = 0").in_se), 4) << "momenta stay independent";
+}
+
+TEST(Correlations, ConfigurationalEnergiesTellTheSameWithLessNoise) {
+  auto series = made(4, 0.3);
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> noise(0, 2 * U_spread);
+  for (std::size_t k = 0; k < series.U.size(); ++k) { // most of the energy's spread is kinetic
+    double const kinetic = noise(generator);
+    series.U_kin[k] += kinetic, series.U[k] += kinetic;
+  }
+  auto const found = correlations(series, settings);
+  auto const &W = found.configurational.contact_energy, &C = found.configurational.C_UD;
+  // A pair in contact has one neighbour more than the others, and common neighbours: counted by the volumes
+  // of a ball of radius 2 and of the part that two balls at the mean distance share.
+  double const ball = 4 * M_PI / 3 * 8 / (edge * edge * edge), unit = 0.3 * U_spread, others = molecules - 2;
+  double const mean = U_mean + unit * (molecules - 1) * ball, near = mean + unit * (1 - ball);
+  double const r = 0.75 * found.contact, common = ball * (1 - 0.75 * r / 2 + std::pow(r / 2, 3) / 16);
+  double const expected = (near * near + unit * unit * others * (common - ball * ball)) / (mean * mean);
+  EXPECT_NEAR(W.mean, expected, 4 * W.se);
+  EXPECT_NEAR(found.contact_energy.mean, expected, 4 * found.contact_energy.se);
+  EXPECT_GT(std::abs(W.mean - 1), 5 * W.se) << "a wrong answer would be seen";
+  EXPECT_LT(W.se, 0.7 * found.contact_energy.se);
+  EXPECT_LT(C.se, 0.7 * found.C_UD.se);
+  EXPECT_LT(std::abs(C.mean - found.C_UD.mean), 4 * found.C_UD.se);
+  EXPECT_GT(C.mean, 10 * C.se);
+}
+
+TEST(Correlations, TheDensitysRangeMayExceedThatOfTheRadialDistribution) {
+  auto series = made(6);
+  constexpr double wider = 2.5;
+  for (auto& R : series.R)
+    R = wider * R;
+  for (auto& box : series.boxes)
+    box.edge = wider * box.edge;
+  auto wide = settings;
+  wide.h = 14;
+  auto const found = correlations(series, wide);
+  EXPECT_LT(found.g.x.back(), 12);
+  double const uniform = mass * (molecules - 1) / std::pow(wider * edge, 3);
+  EXPECT_TRUE(agrees(found.density_mean, uniform, 4)) << found.density_mean.mean << " for " << uniform;
+  EXPECT_FALSE(agrees(found.density_mean, 1.05 * uniform, 4));
 }
 
 TEST(Correlations, ARunThatIsTooShortIsRefusedWithTheLengthThatItNeeds) {
