@@ -1,5 +1,6 @@
 #include "md/star_melt.hpp"
 #include "md/seeds.hpp"
+#include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
 #include <algorithm>
 #include <cmath>
@@ -118,17 +119,7 @@ class Stretch {
     return world_.root_says(!world_.is_root() || !consumers_.steps || consumers_.steps(done, all_steps_));
   }
 
-  void keep() {
-    auto const file = settings_.restart_file();
-    auto const fresh = file.string() + ".new";
-    lammps_.command("write_restart \"{}\"", fresh);
-    if (consumers_.checkpoint)
-      consumers_.checkpoint();
-    world_.barrier();
-    if (world_.is_root())
-      std::filesystem::rename(fresh, file);
-    world_.barrier();
-  }
+  void keep() { write_checkpoint(world_, lammps_, settings_.restart_file(), consumers_.checkpoint); }
 
   MpiWorld const& world_;
   StarMeltSettings const& settings_;
@@ -138,16 +129,6 @@ class Stretch {
   std::optional<double>& first_energy_;
   LammpsSession lammps_;
 };
-
-/// The step that the checkpoint stands at, 0 without one. All ranks must call it.
-std::int64_t step_of_checkpoint(MpiWorld const& world, StarMeltSettings const& settings) {
-  if (!world.root_says(std::filesystem::exists(settings.restart_file())))
-    return 0;
-  LammpsSession lammps(world, Ranks::all, settings.log_file(), Log::append);
-  prepare_for_stars(lammps, settings.star);
-  lammps.command("read_restart \"{}\"", settings.restart_file().string());
-  return lammps.step();
-}
 
 } // namespace
 
@@ -229,7 +210,8 @@ bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, b
   check(settings);
   auto const stretches = plan(settings);
   std::int64_t const all_steps = stretches.back().first_step + stretches.back().steps;
-  std::int64_t const done = resume ? step_of_checkpoint(world, settings) : 0;
+  std::int64_t const done =
+      step_to_begin_at(world, settings.star, settings.restart_file(), settings.log_file(), resume);
   bool const known = done == all_steps || std::any_of(stretches.begin(), stretches.end(),
                                                       [&](auto const& s) { return s.first_step == done; });
   if (!known)

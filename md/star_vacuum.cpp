@@ -1,5 +1,6 @@
 #include "md/star_vacuum.hpp"
 #include "md/seeds.hpp"
+#include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
 #include <algorithm>
 #include <cmath>
@@ -39,42 +40,82 @@ std::vector<Vec3> drawn(std::uint64_t seed, std::int64_t step, std::int64_t mole
   return v;
 }
 
-class VacuumRun {
+enum class Phase {
+  thermalise, ///< to the set temperature, or to one near that of the set energy
+  settle,     ///< without the thermostat, once the energies are set
+  sample
+};
+
+/// A part of the run between two checkpoints.
+struct Stretch {
+  Phase phase = Phase::sample;
+  std::int64_t first_step = 0, steps = 0;
+  std::int64_t since = 0; ///< the steps of its phase that lie before it
+};
+
+/// The whole run. Every stretch starts from a checkpoint file, of the unbroken run too, so that a resumed run
+/// equals it bit for bit.
+std::vector<Stretch> stretches_of(StarVacuumSettings const& settings) {
+  std::vector<Stretch> stretches;
+  std::int64_t step = 0;
+  auto const add = [&](Phase phase, std::int64_t steps) {
+    for (std::int64_t since = 0; since < steps;) {
+      std::int64_t const next = std::min(steps - since, settings.checkpoint_every);
+      stretches.push_back({.phase = phase, .first_step = step, .steps = next, .since = since});
+      since += next, step += next;
+    }
+  };
+  add(Phase::thermalise, settings.equilibration_steps);
+  if (settings.ensemble == VacuumEnsemble::microcanonical)
+    add(Phase::settle, settings.equilibration_steps);
+  add(Phase::sample, settings.sampling_steps);
+  return stretches;
+}
+
+/// One stretch of the run in a session of its own.
+class VacuumStretch {
  public:
-  VacuumRun(MpiWorld const& world, StarVacuumSettings const& settings, StarVacuumConsumers const& consumers)
-      : world_(world), settings_(settings), consumers_(consumers), atoms_(settings.star.atoms()),
-        lammps_(world, Ranks::all, settings.directory / "lammps-vacuum.log") {}
+  VacuumStretch(MpiWorld const& world, StarVacuumSettings const& settings,
+                StarVacuumConsumers const& consumers, Stretch const& stretch, std::int64_t all_steps)
+      : world_(world), settings_(settings), consumers_(consumers), stretch_(stretch), all_steps_(all_steps),
+        atoms_(settings.star.atoms()), lammps_(world, Ranks::all, settings.log_file(),
+                                               stretch.first_step == 0 ? Log::replace : Log::append) {}
 
   bool run() {
-    set_up();
-    bool const canonical = settings_.ensemble == VacuumEnsemble::canonical;
-    if (!advance(settings_.equilibration_steps, true, false))
-      return false;
-    if (!canonical) {
+    start();
+    if (stretch_.phase == Phase::settle && stretch_.since == 0)
       set_energies();
-      if (!advance(settings_.equilibration_steps, false, false))
-        return false;
-    }
-    return advance(settings_.sampling_steps, canonical, true);
+    bool on = true;
+    explained(fmt::format("the run of isolated {} stars", settings_.star.name()), settings_.dt,
+              [&] { on = advance(); });
+    if (on)
+      write_checkpoint(world_, lammps_, settings_.restart_file(), consumers_.checkpoint);
+    return on;
   }
 
  private:
-  void set_up() {
+  void start() {
     prepare_for_stars(lammps_, settings_.star);
-    StarLattice const lattice{.star = settings_.star,
-                              .molecules = settings_.molecules,
-                              .spacing = room * touching_free_spacing(settings_.star),
-                              .seed = settings_.seed};
-    create_stars(world_, lammps_, lattice, settings_.directory / "star-vacuum.data");
+    if (stretch_.first_step == 0) {
+      StarLattice const lattice{.star = settings_.star,
+                                .molecules = settings_.molecules,
+                                .spacing = room * touching_free_spacing(settings_.star),
+                                .seed = settings_.seed};
+      create_stars(world_, lammps_, lattice, settings_.directory / (settings_.stem() + ".data"));
+    } else {
+      lammps_.command("read_restart \"{}\"", settings_.restart_file().string());
+    }
     set_star_forces(lammps_, settings_.star);
     lammps_.command("neigh_modify binsize {}", bin_size);
     lammps_.command("timestep {}", settings_.dt);
     lammps_.command("thermo {}", settings_.sample_every);
     lammps_.command("fix move all nve");
-    all_steps_ = settings_.equilibration_steps + settings_.sampling_steps;
-    if (settings_.ensemble == VacuumEnsemble::microcanonical)
-      all_steps_ += settings_.equilibration_steps;
     lammps_.command("run 0 post no");
+  }
+
+  bool thermostat() const {
+    return stretch_.phase == Phase::thermalise ||
+           (stretch_.phase == Phase::sample && settings_.ensemble == VacuumEnsemble::canonical);
   }
 
   /// The temperature at which a molecule is brought to equilibrium: for a set energy that of a harmonic one.
@@ -118,23 +159,23 @@ class VacuumRun {
         [&](std::int64_t id, Vec3 const& v) { return all[std::size_t((id - 1) / atoms_)] * v; });
   }
 
-  bool advance(std::int64_t steps, bool thermostat, bool sampling) {
+  bool advance() {
     bool on = true;
-    explained(fmt::format("the run of isolated {} stars", settings_.star.name()), settings_.dt, [&] {
-      for (std::int64_t done = 0; done < steps && on;) {
-        if (thermostat && done % settings_.redraw_every == 0)
-          redraw(steps_done_);
-        std::int64_t next = std::min(piece, steps - done);
-        next = std::min(next, settings_.sample_every - done % settings_.sample_every);
-        if (thermostat)
-          next = std::min(next, settings_.redraw_every - done % settings_.redraw_every);
-        lammps_.command("run {} pre no post no", next);
-        done += next, steps_done_ += next;
-        if (sampling && done % settings_.sample_every == 0)
-          deliver();
-        on = asked();
+    std::int64_t const end = stretch_.since + stretch_.steps; // both count the steps of the phase
+    for (std::int64_t done = stretch_.since; done < end && on;) {
+      std::int64_t next = std::min(piece, end - done);
+      next = std::min(next, settings_.sample_every - done % settings_.sample_every);
+      if (thermostat()) {
+        if (done % settings_.redraw_every == 0)
+          redraw(lammps_.step());
+        next = std::min(next, settings_.redraw_every - done % settings_.redraw_every);
       }
-    });
+      lammps_.command("run {} pre no post no", next);
+      done += next;
+      if (stretch_.phase == Phase::sample && done % settings_.sample_every == 0)
+        deliver();
+      on = asked(stretch_.first_step + done - stretch_.since);
+    }
     return on;
   }
 
@@ -149,54 +190,39 @@ class VacuumRun {
       consumers_.frames(frame);
   }
 
-  bool asked() {
-    auto const answer = [&] { return !consumers_.steps || consumers_.steps(steps_done_, all_steps_); };
+  bool asked(std::int64_t done) {
+    auto const answer = [&] { return !consumers_.steps || consumers_.steps(done, all_steps_); };
     return world_.size() == 1 ? answer() : world_.root_says(!world_.is_root() || answer());
   }
 
   MpiWorld const& world_;
   StarVacuumSettings const& settings_;
   StarVacuumConsumers const& consumers_;
+  Stretch stretch_;
+  std::int64_t all_steps_;
   int atoms_;
   LammpsSession lammps_;
-  std::int64_t steps_done_ = 0, all_steps_ = 0;
 };
 
 } // namespace
 
-std::string StarVacuumSettings::fingerprint() const {
-  return fmt::format(
-      "{} star (k = {}, l = {}, {}{}) in vacuum, {} at {:g}, {} molecules, time step {}, "
-      "velocities drawn every {} steps, {} + {} steps, a sample every {} steps, seed {}",
-      star.name(), star.k, star.arm_length, star.centre_length, star.repulsion ? ", WCA" : ", no repulsion",
-      ensemble == VacuumEnsemble::canonical ? "canonical" : "microcanonical", fmt::join(levels, ", "),
-      molecules, dt, redraw_every, equilibration_steps, sampling_steps, sample_every, seed);
-}
-
-void check(StarVacuumSettings const& settings) {
-  check(settings.star);
-  require(settings.star.atoms() >= 3, "atoms of a star", settings.star.atoms(), "must be at least 3");
-  require(!settings.levels.empty(), "temperatures or energies", settings.levels.size(),
-          "at least one is needed");
-  for (double level : settings.levels)
-    require(level > 0 && std::isfinite(level), "temperature or energy", level, "must be > 0");
-  require(settings.molecules >= int(settings.levels.size()) && settings.molecules <= 1000000, "molecules",
-          settings.molecules, "must be at least one a temperature or energy, at most 1000000");
-  require(settings.dt > 0 && settings.dt <= 0.02, "time step", settings.dt,
-          "must be in (0, 0.02]; the thesis takes 0.001");
-  require(settings.redraw_every > 0, "steps between draws of the velocities", settings.redraw_every,
-          "must be > 0");
-  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
-          "must be > 0");
-  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
-  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
-          "must be at least the steps between samples");
-}
-
-bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings,
+bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings, bool resume,
                         StarVacuumConsumers const& consumers) {
   check(settings);
-  return VacuumRun(world, settings, consumers).run();
+  auto const stretches = stretches_of(settings);
+  std::int64_t const all_steps = stretches.back().first_step + stretches.back().steps;
+  std::int64_t const done =
+      step_to_begin_at(world, settings.star, settings.restart_file(), settings.log_file(), resume);
+  if (done != all_steps &&
+      std::none_of(stretches.begin(), stretches.end(), [&](auto const& s) { return s.first_step == done; }))
+    throw InputError(
+        fmt::format("--resume: the checkpoint '{}' stands at step {}, which this run of {} steps "
+                    "does not pass: it was made with other settings",
+                    settings.restart_file().string(), done, all_steps));
+  for (auto const& stretch : stretches)
+    if (stretch.first_step >= done && !VacuumStretch(world, settings, consumers, stretch, all_steps).run())
+      return false;
+  return true;
 }
 
 } // namespace mesobridge::md

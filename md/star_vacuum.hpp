@@ -25,11 +25,17 @@ struct StarVacuumSettings {
   std::int64_t redraw_every = 500; ///< steps between two draws of the velocities
   std::int64_t equilibration_steps = 10000;
   std::int64_t sampling_steps = 60000;
-  std::int64_t sample_every = 250; ///< steps
+  std::int64_t sample_every = 250;       ///< steps
+  std::int64_t checkpoint_every = 20000; ///< steps
   std::uint64_t seed = 1;
-  std::filesystem::path directory = "."; ///< exists; gets LAMMPS's log
+  std::filesystem::path directory = "."; ///< exists; gets LAMMPS's log and the checkpoint
 
+  /// The files' name without an extension: both ensembles may lie in one directory.
+  std::string stem() const { return ensemble == VacuumEnsemble::canonical ? "vacuum" : "vacuum-nve"; }
+  std::filesystem::path log_file() const { return directory / ("lammps-" + stem() + ".log"); }
+  std::filesystem::path restart_file() const { return directory / (stem() + ".restart"); }
   double level(std::int64_t molecule) const { return levels[std::size_t(molecule) % levels.size()]; }
+  /// What decides the run, in one line: a run may be resumed by equal settings only.
   std::string fingerprint() const;
 };
 
@@ -40,6 +46,8 @@ void check(StarVacuumSettings const& settings);
 struct StarVacuumConsumers {
   /// Called on every rank with its molecules, at each sample. May be collective.
   std::function<void(MoleculeFrame const&)> frames;
+  /// Called on every rank before a checkpoint counts: what was sampled so far is to be put in safety.
+  std::function<void()> checkpoint;
   /// Called on rank 0, often, with the steps done and all steps; false stops the run at once.
   std::function<bool(std::int64_t done, std::int64_t all)> steps;
 };
@@ -47,10 +55,12 @@ struct StarVacuumConsumers {
 /// Samples isolated molecules. Canonical: velocities are drawn anew from Maxwell's law at intervals and freed
 /// from the molecule's own total momentum (so P = 0 exactly and L takes part in the equilibrium), between
 /// them the molecule moves freely: this samples exp(-U/T) on the states of zero momentum, up to the time
-/// step's error. Microcanonical: the velocities are scaled once so that U is the set energy. All ranks call
-/// it together. Returns false when a consumer stopped it. Throws InputError, LammpsError, and PhysicsError
-/// for an unstable run, a molecule that has left its cell, an energy below the potential energy.
-bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings,
+/// step's error. Microcanonical: the velocities are scaled once so that U is the set energy. With `resume`
+/// and a checkpoint only what is left of the run is made, equal bit for bit to the unbroken run's (on as many
+/// ranks). All ranks call it together. Returns false when a consumer stopped it. Throws InputError,
+/// LammpsError, and PhysicsError for an unstable run, a molecule that has left its cell, an energy below the
+/// potential energy.
+bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings, bool resume,
                         StarVacuumConsumers const& consumers);
 
 } // namespace mesobridge::md

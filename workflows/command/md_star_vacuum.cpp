@@ -12,6 +12,7 @@ struct Options {
   std::string star = "6-3";
   md::StarVacuumSettings settings;
   std::vector<double> temperatures, energies;
+  bool resume = false;
   bool started_by_ourselves = false;
 };
 
@@ -29,7 +30,7 @@ std::string text_of(Json const& summary) {
 }
 
 Result star_vacuum(Options const& options, Context const& context) {
-  VacuumJob job{.settings = options.settings};
+  VacuumJob job{.settings = options.settings, .resume = options.resume};
   auto& s = job.settings;
   s.star = md::star_of_name(options.star);
   s.seed = context.options.seed.value_or(s.seed);
@@ -70,6 +71,8 @@ Command md_star_vacuum_command() {
         app.add_option("--equilibration-steps", s.equilibration_steps, "Steps before sampling");
         app.add_option("--sampling-steps", s.sampling_steps, "Sampled steps");
         app.add_option("--sample-every", s.sample_every, "Steps between frames (default 250)");
+        app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
+        app.add_flag("--resume", options->resume, "Go on from the checkpoint in the output folder");
         app.add_flag("--started-by-ourselves", options->started_by_ourselves)
             ->group(""); // for run_on_ranks only
         return [options](Context& context) { return star_vacuum(*options, context); };

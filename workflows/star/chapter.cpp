@@ -43,7 +43,7 @@ MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPl
 BlobData vacuum_data(md::StarVacuumSettings settings, std::filesystem::path const& directory,
                      Context const& context) {
   settings.directory = make_folder(directory / ("vacuum-" + settings.star.name()));
-  VacuumJob const job{.settings = settings};
+  VacuumJob const job{.settings = settings, .resume = std::filesystem::exists(settings.restart_file())};
   if (!is_done(job.summary(), settings.fingerprint(), {}))
     sample_vacuum_on_ranks(job, context);
   return read_blobs(job.blobs());

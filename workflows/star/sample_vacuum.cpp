@@ -42,42 +42,47 @@ void refuse_neighbours(cg::BlobFrame const& frame) {
                       m, frame.step, frame.blobs[m].Phi));
 }
 
+BlobFile open_file(VacuumJob const& job, double mass, Context const& context) {
+  if (job.resume && std::filesystem::exists(job.blobs()))
+    return BlobFile::continue_file(job.blobs(), job.settings.fingerprint());
+  return {
+      job.blobs(), head_of(job.settings, mass),
+      Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}}};
+}
+
 bool run(md::MpiWorld const& world, VacuumJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<BlobFile> file;
   std::optional<Progress> progress;
-  std::vector<cg::BlobFrame> held;
-  constexpr std::size_t batch = 50; // frames between two visits to the disk
+  std::vector<cg::BlobFrame> held; // until the stretch of the run that made them is complete
   if (world.is_root()) {
-    file.emplace(
-        job.blobs(), head_of(job.settings, maker.model().mass()),
-        Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
+    file.emplace(open_file(job, maker.model().mass(), context));
     progress.emplace(context.progress(
         fmt::format("isolated {} stars, {}", job.settings.star.name(), kind_of(job.settings)), 1));
   }
-  bool const complete = md::sample_star_vacuum(world, job.settings,
-                                               {.frames =
-                                                    [&](md::MoleculeFrame const& frame) {
-                                                      auto blobs =
-                                                          cg::gather_blobs(world, frame, maker.blobs(frame));
-                                                      if (!file)
-                                                        return;
-                                                      refuse_neighbours(blobs);
-                                                      held.push_back(std::move(blobs));
-                                                      if (held.size() == batch) {
-                                                        file->append(held);
-                                                        held.clear();
-                                                      }
-                                                    },
-                                                .steps =
-                                                    [&](std::int64_t done, std::int64_t all) {
-                                                      progress->update(double(done) / double(all));
-                                                      return !interrupt_requested();
-                                                    }});
-  if (file) {
-    file->append(held);
+  md::StarVacuumConsumers const consumers{.frames =
+                                              [&](md::MoleculeFrame const& frame) {
+                                                auto blobs =
+                                                    cg::gather_blobs(world, frame, maker.blobs(frame));
+                                                if (!file)
+                                                  return;
+                                                refuse_neighbours(blobs);
+                                                held.push_back(std::move(blobs));
+                                              },
+                                          .checkpoint =
+                                              [&] {
+                                                if (file)
+                                                  file->append(held);
+                                                held.clear();
+                                              },
+                                          .steps =
+                                              [&](std::int64_t done, std::int64_t all) {
+                                                progress->update(double(done) / double(all));
+                                                return !interrupt_requested();
+                                              }};
+  bool const complete = md::sample_star_vacuum(world, job.settings, job.resume, consumers);
+  if (file)
     file->close();
-  }
   if (progress && complete)
     progress->finish();
   return complete;
@@ -126,16 +131,18 @@ std::vector<std::string> vacuum_words(VacuumJob const& job) {
   add("--equilibration-steps", s.equilibration_steps);
   add("--sampling-steps", s.sampling_steps);
   add("--sample-every", s.sample_every);
+  add("--checkpoint-every", s.checkpoint_every);
   add("--seed", s.seed);
   add("-o", s.directory.string());
+  if (job.resume)
+    words.emplace_back("--resume");
   return words;
 }
 
 } // namespace
 
 std::filesystem::path VacuumJob::blobs() const {
-  return settings.directory /
-         (settings.ensemble == md::VacuumEnsemble::canonical ? "vacuum.h5" : "vacuum-nve.h5");
+  return settings.directory / (settings.stem() + ".h5");
 }
 
 std::filesystem::path VacuumJob::summary() const {
@@ -149,7 +156,8 @@ void sample_vacuum(VacuumJob const& job, Context const& context) {
     if (!world.is_root())
       return;
     if (!complete)
-      throw Interrupted("interrupted; the run of isolated molecules starts anew next time");
+      throw Interrupted(
+          fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
     write_summary(job.summary(), summary_of(job));
   });
 }

@@ -7,6 +7,7 @@ namespace mesobridge::workflows {
 /// Isolated molecules to be sampled; settings.directory gets the files, named after the ensemble.
 struct VacuumJob {
   md::StarVacuumSettings settings;
+  bool resume = false; ///< go on from the checkpoint, if there is one
 
   std::filesystem::path blobs() const;
   std::filesystem::path summary() const;

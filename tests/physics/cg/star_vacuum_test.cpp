@@ -4,24 +4,29 @@
 #include "tests/unit/md/scratch_folder.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
 
 namespace mesobridge::cg::test {
 namespace {
 
 class StarVacuumTest : public ::testing::Test {
  protected:
-  std::vector<BlobFrame> run(md::StarVacuumSettings settings) {
+  /// The frames that were put in safety.
+  std::vector<BlobFrame> run(md::StarVacuumSettings settings, bool resume = false,
+                             std::optional<std::int64_t> stop_at = {}) {
     settings.directory = folder_.path();
-    std::vector<BlobFrame> frames;
+    std::vector<BlobFrame> frames, safe;
     BlobMaker maker(model_of(settings.star));
-    md::sample_star_vacuum(world_, settings,
-                           {.frames =
-                                [&](md::MoleculeFrame const& frame) {
-                                  last_ = frame;
-                                  frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
-                                },
-                            .steps = {}});
-    return frames;
+    md::sample_star_vacuum(
+        world_, settings, resume,
+        {.frames =
+             [&](md::MoleculeFrame const& frame) {
+               last_ = frame;
+               frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
+             },
+         .checkpoint = [&] { safe = frames; },
+         .steps = [&](std::int64_t done, std::int64_t) { return !stop_at || done < *stop_at; }});
+    return safe;
   }
 
   md::MpiWorld world_;
@@ -120,6 +125,42 @@ TEST_F(StarVacuumTest, SetEnergiesAreKept) {
       EXPECT_NEAR(frame.blobs[m].Phi, 0, 1e-9);
     }
   EXPECT_EQ(molecules, 256);
+}
+
+TEST_F(StarVacuumTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
+  // Draws, samples and checkpoints at steps of their own; stopped while it thermalises, settles and samples.
+  int frames = 0;
+  for (auto const ensemble : {md::VacuumEnsemble::canonical, md::VacuumEnsemble::microcanonical}) {
+    bool const canonical = ensemble == md::VacuumEnsemble::canonical;
+    md::StarVacuumSettings const settings{.ensemble = ensemble,
+                                          .levels = canonical ? std::vector{0.9, 1.1} : std::vector{36., 42.},
+                                          .molecules = 16,
+                                          .redraw_every = 70,
+                                          .equilibration_steps = 300,
+                                          .sampling_steps = 1000,
+                                          .sample_every = 60,
+                                          .checkpoint_every = 250,
+                                          .seed = 8};
+    auto const unbroken = run(settings);
+    ASSERT_EQ(unbroken.size(), 16u);
+    for (std::int64_t const stop_at : {200, 400, 1100}) {
+      auto parts = run(settings, false, stop_at);
+      EXPECT_LT(parts.size(), unbroken.size());
+      auto const rest = run(settings, true);
+      parts.insert(parts.end(), rest.begin(), rest.end());
+      ASSERT_EQ(parts.size(), unbroken.size()) << "stopped at step " << stop_at;
+      for (std::size_t k = 0; k < parts.size(); ++k, ++frames) {
+        EXPECT_EQ(parts[k].step, unbroken[k].step);
+        EXPECT_EQ(parts[k].energy, unbroken[k].energy);
+        for (std::size_t m = 0; m < 16; ++m) {
+          EXPECT_EQ(parts[k].blobs[m].R, unbroken[k].blobs[m].R);
+          EXPECT_EQ(parts[k].blobs[m].U_kin, unbroken[k].blobs[m].U_kin);
+          EXPECT_EQ(parts[k].blobs[m].U_pot, unbroken[k].blobs[m].U_pot);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(frames, 2 * 3 * 16);
 }
 
 TEST_F(StarVacuumTest, AnEnergyBelowThePotentialOneIsRefused) {
