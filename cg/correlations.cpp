@@ -2,6 +2,7 @@
 #include "cg/key_tests.hpp"
 #include "cg/pair_statistics.hpp"
 #include "cg/single_statistics.hpp"
+#include "cg/too_short.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -35,13 +36,14 @@ Correlations correlations(BlobSeries const& series, CorrelationSettings const& s
   double const longest = std::max({result.tau_U.tau, result.tau_P.tau, result.tau_rho.tau});
   double const all_time = series.interval() * double(series.frames());
   double const possible = all_time / (taus_in_block * longest);
+  double const needed = taus_in_block * longest * double(fewest_blocks);
   if (possible < double(fewest_blocks))
-    throw PhysicsError(
+    throw TooShort(
         fmt::format("the run of {:.4g} time units is too short for standard errors: its longest "
                     "autocorrelation time is {:.3g} (P {:.3g}, U {:.3g}, local density {:.3g}), so "
                     "at least {:.4g} are needed",
-                    all_time, longest, result.tau_P.tau, result.tau_U.tau, result.tau_rho.tau,
-                    taus_in_block * longest * double(fewest_blocks)));
+                    all_time, longest, result.tau_P.tau, result.tau_U.tau, result.tau_rho.tau, needed),
+        needed);
   result.blocks = std::min(most_blocks, std::size_t(possible));
   result.block_time = all_time / double(result.blocks);
 

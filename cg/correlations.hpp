@@ -74,7 +74,7 @@ struct Correlations {
   KeyTest const& test(std::string const& name) const;
 };
 
-/// Throws InputError for a series of fewer than two molecules or without a box, PhysicsError when the run is
+/// Throws InputError for a series of fewer than two molecules or without a box, TooShort when the run is
 /// shorter than 8 blocks of 6 autocorrelation times.
 Correlations correlations(BlobSeries const& series, CorrelationSettings const& settings);
 

@@ -124,6 +124,12 @@ void BlobFile::close() {
   store_.close();
 }
 
+BlobFileHead read_blob_head(std::filesystem::path const& file) {
+  Store const store(file, Store::Mode::read);
+  refuse_other(store, file);
+  return read_head(store);
+}
+
 BlobData read_blobs(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
   refuse_other(store, file);

@@ -55,6 +55,9 @@ struct BlobData {
   double U(std::size_t k) const { return U_kin[k] + U_pot[k]; }
 };
 
+/// What a file says about itself. Throws as read_blobs.
+BlobFileHead read_blob_head(std::filesystem::path const& file);
+
 /// Throws InputError if the file is missing or holds something else.
 BlobData read_blobs(std::filesystem::path const& file);
 

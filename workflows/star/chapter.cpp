@@ -1,20 +1,33 @@
 #include "workflows/star/chapter.hpp"
+#include "cg/too_short.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace mesobridge::workflows {
 
 namespace {
 
-/// Whether a summary that lies there is that of this very run.
-bool is_done(std::filesystem::path const& summary, std::string const& fingerprint,
-             std::optional<std::int64_t> frames) {
+/// The frames that a finished run of these settings has left there; -1 without one.
+std::int64_t frames_there(std::filesystem::path const& summary, std::string const& fingerprint) {
   if (!std::filesystem::exists(summary))
-    return false;
+    return -1;
   auto const json = Json::parse(read_text_file(summary), nullptr, false);
-  return !json.is_discarded() && json.value("settings", "") == fingerprint &&
-         (!frames || json.value("frames", std::int64_t{-1}) == *frames);
+  bool const same = !json.is_discarded() && json.value("settings", "") == fingerprint;
+  return same ? json.value("frames", std::int64_t{-1}) : -1;
+}
+
+/// Whether there is a checkpoint to go on from. What other settings have left there is not replaced unasked.
+bool to_be_resumed(std::filesystem::path const& blobs, std::filesystem::path const& checkpoint,
+                   std::string const& fingerprint) {
+  if (!std::filesystem::exists(checkpoint) || !std::filesystem::exists(blobs))
+    return false;
+  if (auto const was = read_blob_head(blobs).fingerprint; was != fingerprint)
+    throw InputError(fmt::format("'{}' is of a run with other settings ({}): remove it or choose another "
+                                 "folder with -o",
+                                 blobs.string(), was));
+  return true;
 }
 
 std::filesystem::path make_folder(std::filesystem::path const& folder) {
@@ -33,9 +46,9 @@ MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPl
   job.settings.molecules = melt.molecules;
   job.settings.sampling_steps = melt.sampling_steps;
   job.settings.directory = make_folder(directory / fmt::format("melt-{}-{}", star.name(), melt.rho));
-  if (is_done(job.summary(), job.settings.fingerprint(), md::frames_of(job.settings)))
+  if (frames_there(job.summary(), job.settings.fingerprint()) >= md::frames_of(job.settings))
     return job;
-  job.resume = std::filesystem::exists(job.settings.restart_file());
+  job.resume = to_be_resumed(job.blobs(), job.settings.restart_file(), job.settings.fingerprint());
   sample_melt_on_ranks(job, context);
   return job;
 }
@@ -43,9 +56,11 @@ MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPl
 BlobData vacuum_data(md::StarVacuumSettings settings, std::filesystem::path const& directory,
                      Context const& context) {
   settings.directory = make_folder(directory / ("vacuum-" + settings.star.name()));
-  VacuumJob const job{.settings = settings, .resume = std::filesystem::exists(settings.restart_file())};
-  if (!is_done(job.summary(), settings.fingerprint(), {}))
+  VacuumJob job{.settings = settings};
+  if (frames_there(job.summary(), settings.fingerprint()) < 0) {
+    job.resume = to_be_resumed(job.blobs(), settings.restart_file(), settings.fingerprint());
     sample_vacuum_on_ranks(job, context);
+  }
   return read_blobs(job.blobs());
 }
 
@@ -81,6 +96,13 @@ VacuumRuns vacuum_runs(ChapterPlan const& plan, md::StarPolymer const& star,
   settings.levels = energies_of(canonical);
   settings.sampling_steps = plan.microcanonical_steps;
   return {std::move(canonical), vacuum_data(settings, directory, context)};
+}
+
+/// A length of at least that time and a little more, which ends with a checkpoint.
+std::int64_t steps_for(double time, md::StarMeltSettings const& settings) {
+  constexpr double margin = 1.2;
+  auto const every = double(settings.checkpoint_every);
+  return std::int64_t(std::ceil(margin * time / settings.dt / every) * every);
 }
 
 ChapterMelt analysed(MeltJob const& job, VacuumRuns const& vacuum) {
@@ -159,8 +181,16 @@ Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& direct
   Chapter chapter;
   for (auto const& [star, melts] : plan.molecules) {
     auto const vacuum = vacuum_runs(plan, star, directory, context);
-    for (auto const& melt : melts)
-      chapter.melts.push_back(analysed(melt_run(plan, star, melt, directory, context), vacuum));
+    for (auto melt : melts)
+      for (bool enough = false; !enough;) {
+        auto const job = melt_run(plan, star, melt, directory, context);
+        try {
+          chapter.melts.push_back(analysed(job, vacuum));
+          enough = true;
+        } catch (cg::TooShort const& error) { // its memory is longer than was planned for
+          melt.sampling_steps = steps_for(error.needed_time, job.settings);
+        }
+      }
   }
   return chapter;
 }

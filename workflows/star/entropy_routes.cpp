@@ -1,4 +1,4 @@
-#include "md/error.hpp"
+#include "cg/too_short.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
@@ -29,10 +29,11 @@ cg::EnergySamples melt_samples(BlobData const& data) {
   double const tau = cg::memory_time(U, molecules, interval).tau;
   double const possible = interval * double(data.frames()) / (taus_in_block * tau);
   if (possible < double(fewest_blocks))
-    throw PhysicsError(fmt::format("the melt's run of {:.4g} time units is too short for errors of S(U): the "
+    throw cg::TooShort(fmt::format("the melt's run of {:.4g} time units is too short for errors of S(U): the "
                                    "energies forget in {:.3g}, so at least {:.4g} are needed",
                                    interval * double(data.frames()), tau,
-                                   taus_in_block * tau * double(fewest_blocks)));
+                                   taus_in_block * tau * double(fewest_blocks)),
+                       taus_in_block * tau * double(fewest_blocks));
   auto const blocks = cg::time_blocks(data.frames(), std::min(most_blocks, std::size_t(possible)));
   cg::EnergySamples samples{.beta = 0, .U = {}, .U_kin = {}, .beta_without = {}};
   std::vector<double> P2, count;
