@@ -43,6 +43,9 @@ struct Chapter {
 /// Makes the runs that are not there yet (an interrupted one goes on from its checkpoint) and analyses them.
 Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& directory, Context const& context);
 
+/// C of the melt over that of the isolated molecule, minus 1.
+cg::Estimate heat_capacity_difference(ChapterMelt const& melt);
+
 Json chapter_summary(Chapter const& chapter);
 /// The report without its provenance.
 Report chapter_report(Chapter const& chapter);

@@ -1,0 +1,55 @@
+#include "workflows/star/chapter.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+
+ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
+  constexpr md::StarPolymer small{.arms = 6, .beads = 3}, middle{.arms = 6, .beads = 6},
+      large{.arms = 6, .beads = 12};
+  ChapterPlan plan{
+      .molecules = {{small, {{.rho = 0.3, .molecules = 343, .sampling_steps = 300000}}}},
+      .melt = {.equilibration_steps = 10000, .seed = seed},
+      .vacuum = {.molecules = 600, .equilibration_steps = 5000, .sampling_steps = 60000, .seed = seed},
+      .microcanonical_steps = 20000};
+  if (preset == md::Preset::quick)
+    return plan;
+  plan.melt.equilibration_steps = 30000;
+  plan.melt.sample_every = 200;
+  plan.vacuum.sampling_steps = 100000;
+  plan.microcanonical_steps = 30000;
+  // Twice the thesis's: the energy still keeps to 1e-4 k_B T a bead.
+  plan.melt.dt = plan.vacuum.dt = 0.002;
+  // The energies of thin melts forget slowly, and those of large molecules: they are followed for longer. The
+  // first melt is the one in which pairs in contact are looked at closely.
+  plan.molecules = {{small,
+                     {{.rho = 0.3, .molecules = 1000, .sampling_steps = 1000000},
+                      {.rho = 0.1, .molecules = 343, .sampling_steps = 600000},
+                      {.rho = 0.2, .molecules = 500, .sampling_steps = 400000},
+                      {.rho = 0.4, .molecules = 500, .sampling_steps = 300000},
+                      {.rho = 0.5, .molecules = 500, .sampling_steps = 300000}}},
+                    {middle,
+                     {{.rho = 0.3, .molecules = 400, .sampling_steps = 300000},
+                      {.rho = 0.1, .molecules = 216, .sampling_steps = 1000000},
+                      {.rho = 0.2, .molecules = 343, .sampling_steps = 500000},
+                      {.rho = 0.4, .molecules = 400, .sampling_steps = 300000},
+                      {.rho = 0.5, .molecules = 400, .sampling_steps = 300000}}},
+                    {large,
+                     {{.rho = 0.3, .molecules = 343, .sampling_steps = 350000},
+                      {.rho = 0.1, .molecules = 128, .sampling_steps = 1500000},
+                      {.rho = 0.2, .molecules = 216, .sampling_steps = 750000},
+                      {.rho = 0.4, .molecules = 450, .sampling_steps = 350000},
+                      {.rho = 0.5, .molecules = 560, .sampling_steps = 300000}}}};
+  if (preset == md::Preset::paper) {
+    plan.melt.dt = plan.vacuum.dt = 0.001;
+    plan.melt.equilibration_steps = 100000;
+    plan.melt.sample_every = 500;
+    plan.vacuum.sampling_steps = 1000000;
+    plan.microcanonical_steps = 100000;
+    for (auto& molecule : plan.molecules)
+      for (auto& melt : molecule.melts)
+        melt.molecules = std::max(melt.molecules, 1000), melt.sampling_steps = 5000000;
+  }
+  return plan;
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,40 @@
+#include "workflows/star/figure_parts.hpp"
+#include <fmt/format.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr int half_width = 480, half_height = 360;
+
+} // namespace
+
+Plot half_plot(std::string name, std::string title, std::string x, std::string y) {
+  Plot plot{.name = std::move(name),
+            .title = std::move(title),
+            .x = {.label = std::move(x)},
+            .panels = {Panel{}},
+            .width = half_width,
+            .height = half_height};
+  plot.panels[0].y.label = std::move(y);
+  return plot;
+}
+
+Series points_of(cg::Profile const& profile, std::string label, int colour) {
+  Series series{.label = std::move(label), .x = profile.x, .y = {}, .y_error = {}, .colour = colour};
+  for (auto const& y : profile.y) {
+    series.y.push_back(y.mean);
+    series.y_error.push_back(y.se);
+  }
+  return series;
+}
+
+Series curve_of(std::string label, SeriesStyle style, int colour) {
+  return {.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .style = style, .colour = colour};
+}
+
+std::string density_label(ChapterMelt const& melt) {
+  return fmt::format("rho = {}", melt.rho);
+}
+
+} // namespace mesobridge::workflows
