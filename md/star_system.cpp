@@ -89,6 +89,10 @@ void set_star_forces(LammpsSession& lammps, StarPolymer const& star) {
 
 void create_stars(MpiWorld const& world, LammpsSession& lammps, StarLattice const& lattice,
                   std::filesystem::path const& data_file) {
+  double const narrowest = touching_free_spacing(lattice.star);
+  require(lattice.spacing >= narrowest, "spacing of the stars at the start", lattice.spacing,
+          fmt::format("straight {} stars would overlap: it must be at least {:.4g}", lattice.star.name(),
+                      narrowest));
   if (world.is_root())
     write_data_file(lattice, data_file);
   world.barrier();

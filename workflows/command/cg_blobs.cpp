@@ -7,6 +7,7 @@
 #include "workflows/star/trajectory_file.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 namespace mesobridge::workflows {
 
@@ -28,6 +29,12 @@ cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame) {
     blob.F = others.F[m];
     result.blobs.push_back(blob);
   }
+  for (std::size_t m = 0; m < result.blobs.size(); ++m)
+    if (auto const& blob = result.blobs[m]; !std::isfinite(blob.U_pot + blob.Phi + norm(blob.F)))
+      throw InputError(fmt::format("molecule {} has atoms on top of others at step {}: its energy has no "
+                                   "value. Is the trajectory's start overlapping, or the mapping another "
+                                   "molecule's?",
+                                   m + 1, frame.step));
   result.energy = cg::total_energy(result.blobs, maker.model().mass());
   return result;
 }
