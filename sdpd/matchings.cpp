@@ -1,48 +1,56 @@
 #include "sdpd/matchings.hpp"
+#include <array>
 #include <bit>
+#include <limits>
+#include <stdexcept>
 
 namespace mesobridge::sdpd {
 namespace {
 
-constexpr unsigned word_bits = 64;
+constexpr std::size_t word_bits = 64;
 
-/// The matchings that each particle is in already, as bits.
-class Occupation {
- public:
-  void reset(std::size_t particles, std::size_t words) {
-    words_ = words;
-    bits_.assign(particles * words, 0);
-  }
-  /// The first matching in which both are free, now taken by them; words * word_bits when there is none.
-  std::size_t take(LocalPair const& pair) {
-    std::uint64_t *const a = &bits_[pair.i * words_], *const b = &bits_[pair.j * words_];
-    for (std::size_t w = 0; w < words_; ++w)
-      if (std::uint64_t const free = ~(a[w] | b[w])) {
-        std::uint64_t const bit = free & -free;
-        a[w] |= bit, b[w] |= bit;
-        return w * word_bits + static_cast<std::size_t>(std::countr_zero(free));
-      }
-    return words_ * word_bits;
-  }
-
- private:
-  std::size_t words_ = 0;
-  std::vector<std::uint64_t> bits_;
-};
-
-/// The matching of each pair. False when `words` words are too few.
-bool colour(std::span<LocalPair const> pairs, std::size_t particles, std::size_t words,
-            std::vector<std::uint32_t>& matching) {
-  thread_local Occupation occupation;
-  occupation.reset(particles, words);
+/// The matching of each pair, with room for words * 64 of them. False when those are too few.
+template <std::size_t words>
+bool colour(std::span<LocalPair const> pairs, std::size_t particles, std::vector<std::uint32_t>& matching) {
+  using Matchings = std::array<std::uint64_t, words>; // that a particle is in already, as bits
+  thread_local std::vector<Matchings> taken;
+  taken.assign(particles, Matchings{});
   matching.resize(pairs.size());
+  // Pairs come in runs of the same first particle, whose bits stay in registers meanwhile.
+  Matchings own{};
+  std::size_t first = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    std::size_t const m = occupation.take(pairs[k]);
-    if (m == words * word_bits)
+    if (pairs[k].i != first) {
+      taken[first] = own;
+      first = pairs[k].i;
+      own = taken[first];
+    }
+    auto& other = taken[pairs[k].j];
+    std::size_t w = 0;
+    while (w < words && (own[w] | other[w]) == ~std::uint64_t{0})
+      ++w;
+    if (w == words)
       return false;
-    matching[k] = static_cast<std::uint32_t>(m);
+    std::uint64_t const free = ~(own[w] | other[w]), bit = free & -free;
+    own[w] |= bit, other[w] |= bit;
+    matching[k] =
+        static_cast<std::uint32_t>(w * word_bits) + static_cast<std::uint32_t>(std::countr_zero(free));
   }
   return true;
+}
+
+/// The same with as much room as it takes.
+template <std::size_t words>
+void colour_in_room(std::span<LocalPair const> pairs, std::size_t particles,
+                    std::vector<std::uint32_t>& matching) {
+  // Twice as many matchings as a particle can have pairs are always enough.
+  constexpr std::size_t most = 2 * std::numeric_limits<std::uint16_t>::max() / word_bits;
+  if (colour<words>(pairs, particles, matching))
+    return;
+  if constexpr (words <= most)
+    colour_in_room<4 * words>(pairs, particles, matching);
+  else
+    throw std::logic_error("pairs of a particle with itself, or twice as many as there can be");
 }
 
 } // namespace
@@ -50,8 +58,7 @@ bool colour(std::span<LocalPair const> pairs, std::size_t particles, std::size_t
 void order_in_matchings(std::span<LocalPair const> pairs, std::size_t particles,
                         std::vector<LocalPair>& ordered, std::vector<std::uint32_t>& ends) {
   thread_local std::vector<std::uint32_t> matching;
-  for (std::size_t words = 3; !colour(pairs, particles, words, matching);)
-    words *= 2;
+  colour_in_room<3>(pairs, particles, matching);
   ends.clear();
   for (auto const m : matching) {
     if (m >= ends.size())
