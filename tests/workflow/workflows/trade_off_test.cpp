@@ -4,6 +4,7 @@
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <chrono>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 // Cost against accuracy as its users study it: trade-off, automatic time steps, reproductions.
