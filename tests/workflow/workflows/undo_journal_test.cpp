@@ -53,6 +53,13 @@ TEST(UndoJournal, LeadsBackToWhereItBegan) {
   EXPECT_EQ(read_text_file(file), original);
   UndoJournal::roll_back(file); // as often as you like
   EXPECT_EQ(read_text_file(file), original);
+  { // a part that is only cut off
+    UndoJournal cut(file);
+    cut.protect_beyond(5000);
+    std::filesystem::resize_file(file, 5000);
+  }
+  UndoJournal::roll_back(file);
+  EXPECT_EQ(read_text_file(file), original);
   // A record that is not complete is of a page that was not touched yet.
   write_text_file(file, original);
   overwrite(file, 10, "first", *std::make_unique<UndoJournal>(file));
