@@ -1,5 +1,6 @@
 #include "cg/blobs.hpp"
 #include "md/star_melt.hpp"
+#include "md/star_system.hpp"
 #include "tests/unit/md/scratch_folder.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -134,6 +135,18 @@ TEST_F(StarMeltTest, AnUnstableTimeStepEndsWithOneClearMessage) {
   EXPECT_NE(text.find("0.02"), std::string::npos) << text;
 }
 
+TEST_F(StarMeltTest, StarsThatWouldOverlapAtTheStartAreRefused) {
+  md::LammpsSession lammps(world_, md::Ranks::all, folder_.path() / "log");
+  md::prepare_for_stars(lammps, {});
+  try {
+    md::create_stars(world_, lammps, {.molecules = 8, .spacing = 5}, folder_.path() / "data");
+    FAIL() << "accepted";
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("overlap"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("at least 8.9"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Blobs, AMoleculeAcrossTheBordersIsJoinedAndAWideOneRefused) {
   BlobMaker maker(model_of({.arms = 2, .beads = 1}));
   Box const box{{10, 10, 10}};
@@ -146,7 +159,12 @@ TEST(Blobs, AMoleculeAcrossTheBordersIsJoinedAndAWideOneRefused) {
   EXPECT_NEAR(here.U_pot, 2 * 10 * 0.115 * 0.115, 1e-12);
   EXPECT_LT(norm(box.minimum_image(there.R - here.R - Vec3{5, 5, 5})), 1e-12);
   std::vector<Vec3> const wide{{5, 5, 5}, {8, 5, 5}, {2, 5, 5}};
-  EXPECT_THROW(maker.blob(wide, v, f, {}, box), PhysicsError);
+  try {
+    maker.blob(wide, v, f, {}, box);
+    FAIL() << "accepted";
+  } catch (PhysicsError const& error) {
+    EXPECT_NE(std::string(error.what()).find("more molecules"), std::string::npos) << error.what();
+  }
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "unit/workflows/scratch_directory.hpp"
+#include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -114,6 +115,65 @@ TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
   EXPECT_EQ(read_text_file(unbroken / "trajectory.xyz"), read_text_file(broken / "trajectory.xyz"));
   EXPECT_EQ(read_text_file(unbroken / "summary.json"), read_text_file(broken / "summary.json"));
   EXPECT_EQ(read_text_file(unbroken / "scene.toml"), read_text_file(broken / "scene.toml"));
+}
+
+TEST(KilledRun, OfIsolatedStarsEndsWithTheBitsOfAnUnbrokenOne) {
+  ScratchDirectory const scratch;
+  auto const command = [](std::filesystem::path const& directory, bool resume) {
+    std::vector<std::string> words{MESOBRIDGE_PROGRAM, "md", "star-vacuum", "--star", "3-2", "--ranks", "1"};
+    words.insert(words.end(), {"--molecules", "48", "--equilibration-steps", "500", "--sampling-steps",
+                               "6000", "--redraw-every", "90", "--sample-every", "40", "--checkpoint-every",
+                               "500", "--quiet", "-o", directory.string()});
+    if (resume)
+      words.emplace_back("--resume");
+    return words;
+  };
+  auto const unbroken = scratch / "unbroken", broken = scratch / "broken";
+  auto const whole = run_process(command(unbroken, false));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  std::mt19937 generator(21);
+  std::uniform_int_distribution<int> delay(1000, 300000); // us
+  int kills = 0;
+  constexpr int wanted = 8;
+  for (int attempt = 0; kills < wanted && attempt < 3 * wanted; ++attempt)
+    kills += WIFSIGNALED(killed_after(std::chrono::microseconds(delay(generator)), SIGKILL,
+                                      command(broken, std::filesystem::exists(broken / "vacuum.restart"))));
+  EXPECT_GE(kills, wanted / 2);
+  auto const last = run_process(command(broken, std::filesystem::exists(broken / "vacuum.restart")));
+  ASSERT_EQ(last.status, 0) << last.errors;
+  std::vector<std::string> const columns{"frames/energy", "blobs/R", "blobs/U_kin", "blobs/U_pot"};
+  auto const expected = datasets(unbroken / "vacuum.h5", columns);
+  ASSERT_EQ(expected[0].size(), 150u);
+  EXPECT_TRUE(expected == datasets(broken / "vacuum.h5", columns));
+}
+
+TEST(Long_KilledRun, TheStarPolymersGoOnWhereTheyStopped) {
+  ScratchDirectory const scratch;
+  auto const out = scratch / "stars";
+  std::vector<std::string> const command{MESOBRIDGE_PROGRAM, "workflow", "star-polymers",
+                                         "--preset",         "quick",    "--json",
+                                         "--quiet",          "-o",       out.string()};
+  for (int seconds : {5, 40}) // among the isolated stars, and in the melt
+    EXPECT_TRUE(WIFSIGNALED(killed_after(std::chrono::seconds(seconds), SIGKILL, command)));
+  bool const done = std::filesystem::exists(out / "vacuum-6-3" / "vacuum.json");
+  auto const written = std::filesystem::last_write_time(out / "vacuum-6-3" / "vacuum.h5");
+  auto const result = run_process(command);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  if (done) {
+    EXPECT_EQ(std::filesystem::last_write_time(out / "vacuum-6-3" / "vacuum.h5"), written) << "made again";
+  }
+  auto const json = Json::parse(result.output);
+  EXPECT_EQ(json["star"], "6-3");
+  EXPECT_EQ(json["md"]["frames"], 3000);
+  int keys = 0;
+  for (std::string const key : {"beta", "C_KU", "C_UD", "U_mean", "heat_capacity_melt",
+                                "heat_capacity_vacuum", "heat_capacity_vacuum_equipartition"}) {
+    EXPECT_GT(json[key + "_se"].get<double>(), 0) << key;
+    ++keys;
+  }
+  EXPECT_EQ(keys, 7);
+  EXPECT_NE(read_text_file(out / "report.html").find("Figures 3.11 and 3.12"), std::string::npos);
+  EXPECT_EQ(Json::parse(read_text_file(out / "summary.json"))["beta"], json["beta"]);
 }
 
 } // namespace

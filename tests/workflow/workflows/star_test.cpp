@@ -181,6 +181,24 @@ TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
   EXPECT_NEAR(data.Phi[1], wca / 2, 1e-9);
 }
 
+TEST(StarCommands, BenchSaysWhatBlobsCost) {
+  ScratchDirectory const scratch;
+  auto const result = program({"bench", "blobs", "--molecules", "27", "--rho", "0.05", "--repeats", "16",
+                               "--ranks", "1", "-o", scratch.path().string(), "--json", "--quiet"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  EXPECT_EQ(json["atoms"], 27 * 19);
+  EXPECT_EQ(json["sample_every"], 100);
+  EXPECT_EQ(json["repeats"], 16);
+  EXPECT_GT(json["md_atom_steps_per_s"], 1e4);
+  // The blobs are a part of the whole cost, which LAMMPS's own energies of atoms add to.
+  double const alone = json["blobs_alone_percent_of_md"], all = json["cost_percent_of_md"],
+               se = json["cost_percent_of_md_se"];
+  EXPECT_GT(alone, 0);
+  EXPECT_GT(json["blobs_alone_percent_of_md_se"], 0);
+  EXPECT_GT(all, alone - 5 * se);
+}
+
 TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
   ScratchDirectory const scratch;
   write_text_file(scratch / "a.lammpstrj", dumbbells);
@@ -190,6 +208,12 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
   write_text_file(scratch / "three.toml", three);
   std::string unknown = dumbbell_mapping;
   write_text_file(scratch / "unknown.toml", unknown + "colour = \"red\"\n");
+  write_text_file(scratch / "map.toml", dumbbell_mapping);
+  std::string inside = dumbbells, between = dumbbells; // atoms of one molecule, of two on each other
+  inside.replace(inside.find("2.2 2.0"), 7, "1.0 2.0");
+  write_text_file(scratch / "inside.lammpstrj", inside);
+  between.replace(between.find("1.0 2.0"), 7, "0.9 1.0");
+  write_text_file(scratch / "between.lammpstrj", between);
   struct Case {
     std::vector<std::string> words;
     int status;
@@ -201,6 +225,20 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
       {{"md", "star-melt", "--star", "13-3"}, 2, "1 ... 12"},
       {{"md", "star-melt", "--rho", "2"}, 2, "rho"},
       {{"md", "star-melt", "--molecules", "20", "--rho", "0.5"}, 2, "more molecules"},
+      {{"md", "star-melt", "--dt", "0.02", "--T", "10", "--molecules", "64", "--ranks", "1"},
+       3,
+       "A shorter --dt"},
+      {{"md", "star-vacuum", "--dt", "0.02", "--T", "10", "--molecules", "27", "--ranks", "1"},
+       3,
+       "A shorter --dt"},
+      {{"md", "star-melt", "--star", "6-12", "--molecules", "100"}, 2, "half the box"},
+      {{"cg", "blobs", (scratch / "inside.lammpstrj").string(), "--mapping", (scratch / "map.toml").string()},
+       2,
+       "on top of others"},
+      {{"cg", "blobs", (scratch / "between.lammpstrj").string(), "--mapping",
+        (scratch / "map.toml").string()},
+       2,
+       "on top of others"},
       {{"md", "star-vacuum", "--T", "-1"}, 2, "must be > 0"},
       {{"cg", "blobs", dump, "--mapping", (scratch / "three.toml").string()}, 2, "1 atoms are left out"},
       {{"cg", "blobs", dump, "--mapping", (scratch / "unknown.toml").string()}, 2, "colour"},
@@ -215,8 +253,10 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
     auto const result = program(all);
     EXPECT_EQ(result.status, status) << words[1] << ": " << result.errors;
     EXPECT_NE(result.errors.find(said), std::string::npos) << result.errors;
+    auto const first = result.errors.find("mesobridge: ");
+    EXPECT_EQ(result.errors.find("mesobridge: ", first + 1), std::string::npos) << "one message";
   }
-  EXPECT_EQ(cases.size(), 10u);
+  EXPECT_EQ(cases.size(), 15u);
 }
 
 } // namespace
