@@ -31,6 +31,7 @@ Plot entropy_figure(std::string const& name, Melts const& melts) {
   auto plot = half_plot(name, "Entropy of a " + melts.front()->star.name() + " molecule", "U", "S(U)/k_B");
   plot.panels = {Panel{.y = {.label = "S(U)/k_B"}, .height = 1.5, .legend = Legend::bottom_right},
                  Panel{.y = {.label = "melt - vacuum"}, .legend = Legend::none, .level_lines = {0}}};
+  plot.height = 460; // for two panels
   auto const& first = melts.front()->entropy;
   double const zero = first.U_mean; // S is known but for a constant
   auto const S = [zero](cg::EntropyCurve const& c, double U) { return c.S(U) - c.S(zero); };
@@ -75,7 +76,7 @@ Plot figure_3_8(Melts const& melts) {
   auto plot =
       half_plot("fig38", "Heat capacity of a " + melts.front()->star.name() + " molecule", "rho", "C/k_B");
   plot.x.min = 0, plot.x.max = highest_density;
-  plot.panels[0].legend = Legend::top_right;
+  plot.panels[0].legend = Legend::outside;
   struct Route {
     char const *name, *label;
   };
