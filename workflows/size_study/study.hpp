@@ -23,7 +23,8 @@ struct FluidRun {
   Treatment treatment;
   sdpd::DensityCorrection constants;
   cg::Estimate P, rho, T_kin, T_int;
-  double energy;                  ///< kinetic and internal, per mass
+  double energy;          ///< kinetic and internal, per mass
+  double energy_expected; ///< the same that the invariant measure gives at the densities that were met
   std::vector<double> rho_i, P_i; ///< of single particles: kg/m^3, GPa
 };
 
