@@ -34,7 +34,6 @@ std::vector<Command> commands() {
       run_command(),
       workflow_lj_to_sdpd_command(),
       trade_off_command(),
-      reproduce_command(),
       workflow_star_polymers_command(),
       reproduce_command(),
       check_command(),

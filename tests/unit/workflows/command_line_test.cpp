@@ -1,10 +1,12 @@
 #include "md/error.hpp"
+#include "workflows/command/list.hpp"
 #include "workflows/command_line.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <gtest/gtest.h>
+#include <set>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -35,6 +37,13 @@ Outcome run(std::vector<std::string> const& arguments, std::vector<Command> cons
   int const code = run_command_line(arguments, commands);
   auto output = testing::internal::GetCapturedStdout();
   return {code, output, testing::internal::GetCapturedStderr()};
+}
+
+TEST(Commands, AreListedOnceEach) {
+  std::set<std::string> names;
+  for (auto const& command : commands())
+    EXPECT_TRUE(names.insert(command.name).second) << command.name;
+  EXPECT_GT(names.size(), 30u);
 }
 
 TEST(CommandLine, ExceptionsBecomeExitCodes) {
