@@ -1,5 +1,4 @@
 #include "unit/workflows/scratch_directory.hpp"
-#include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -145,35 +144,6 @@ TEST(KilledRun, OfIsolatedStarsEndsWithTheBitsOfAnUnbrokenOne) {
   auto const expected = datasets(unbroken / "vacuum.h5", columns);
   ASSERT_EQ(expected[0].size(), 150u);
   EXPECT_TRUE(expected == datasets(broken / "vacuum.h5", columns));
-}
-
-TEST(Long_KilledRun, TheStarPolymersGoOnWhereTheyStopped) {
-  ScratchDirectory const scratch;
-  auto const out = scratch / "stars";
-  std::vector<std::string> const command{MESOBRIDGE_PROGRAM, "workflow", "star-polymers",
-                                         "--preset",         "quick",    "--json",
-                                         "--quiet",          "-o",       out.string()};
-  for (int seconds : {5, 40}) // among the isolated stars, and in the melt
-    EXPECT_TRUE(WIFSIGNALED(killed_after(std::chrono::seconds(seconds), SIGKILL, command)));
-  bool const done = std::filesystem::exists(out / "vacuum-6-3" / "vacuum.json");
-  auto const written = std::filesystem::last_write_time(out / "vacuum-6-3" / "vacuum.h5");
-  auto const result = run_process(command);
-  ASSERT_EQ(result.status, 0) << result.errors;
-  if (done) {
-    EXPECT_EQ(std::filesystem::last_write_time(out / "vacuum-6-3" / "vacuum.h5"), written) << "made again";
-  }
-  auto const json = Json::parse(result.output);
-  EXPECT_EQ(json["star"], "6-3");
-  EXPECT_EQ(json["md"]["frames"], 3000);
-  int keys = 0;
-  for (std::string const key : {"beta", "C_KU", "C_UD", "U_mean", "heat_capacity_melt",
-                                "heat_capacity_vacuum", "heat_capacity_vacuum_equipartition"}) {
-    EXPECT_GT(json[key + "_se"].get<double>(), 0) << key;
-    ++keys;
-  }
-  EXPECT_EQ(keys, 7);
-  EXPECT_NE(read_text_file(out / "report.html").find("Figures 3.11 and 3.12"), std::string::npos);
-  EXPECT_EQ(Json::parse(read_text_file(out / "summary.json"))["beta"], json["beta"]);
 }
 
 } // namespace
