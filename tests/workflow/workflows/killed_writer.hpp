@@ -9,6 +9,29 @@
 
 namespace mesobridge::tests {
 
+/// Whether a process may follow the calls of its child; sandboxes and old systems forbid it.
+inline bool may_trace() {
+  pid_t const child = fork();
+  if (child == 0) {
+    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0)
+      _exit(1);
+    raise(SIGSTOP);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (!WIFSTOPPED(status))
+    return false;
+  __ptrace_syscall_info info{};
+  bool const may =
+      ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL) == 0 &&
+      ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) == 0 && waitpid(child, &status, 0) == child &&
+      WIFSTOPPED(status) && ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof info, &info) > 0;
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  return may;
+}
+
 /// Runs `work` in a process of its own and kills that (SIGKILL) right before its `last`-th call of the system
 /// that changes a file: write, pwrite64, ftruncate, rename or unlink. True when it came to its end before.
 inline bool ends_before_change(std::size_t last, std::function<void()> const& work) {

@@ -178,6 +178,8 @@ using Formats = ::testing::Types<H5md, VtkHdf>;
 TYPED_TEST_SUITE(MarkedFile, Formats);
 
 TYPED_TEST(MarkedFile, IsWholeAfterADeathBeforeAnyOfItsWrites) {
+  if (!tests::may_trace())
+    GTEST_SKIP() << "this machine does not let a process follow the calls of its child";
   ScratchDirectory const scratch;
   auto const whole = scratch / "whole.h5", broken = scratch / "broken.h5";
   write_frames<TypeParam>(whole);
@@ -199,6 +201,8 @@ TYPED_TEST(MarkedFile, IsWholeAfterADeathBeforeAnyOfItsWrites) {
 
 // The same deaths without marks leave damaged files: the test above would see it.
 TEST(PlainFile, MayBeDamagedByADeath) {
+  if (!tests::may_trace())
+    GTEST_SKIP() << "this machine does not let a process follow the calls of its child";
   ScratchDirectory const scratch;
   auto const file = scratch / "f.h5";
   auto write = [&] {
