@@ -7,7 +7,7 @@ namespace mesobridge::md {
 
 std::string StarVacuumSettings::fingerprint() const {
   return fmt::format(
-      "{} star (k = {}, l = {}, {}{}) in vacuum, {} at {:g}, {} molecules, time step {}, "
+      "{} star (k = {}, l = {}, {}{}) in vacuum, {} at {}, {} molecules, time step {}, "
       "velocities drawn every {} steps, {} + {} steps, a sample every {} steps, a checkpoint every {}, seed "
       "{}",
       star.name(), star.k, star.arm_length, star.centre_length, star.repulsion ? ", WCA" : ", no repulsion",

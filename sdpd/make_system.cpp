@@ -66,14 +66,9 @@ System sdpd_system(SimulationSettings const& s) {
       .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
       .conduction = conduction_of(s),
       .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-      .particles = {},
       .boltzmann = 1 / s.K,
       .seed = s.seed,
-      .threads = s.threads,
-      .block_virial = {},
-      .block_energy = {},
-      .energy_gain = {},
-      .impulse = {}};
+      .threads = s.threads};
 }
 
 System pair_fluid_system(SimulationSettings const& s) {
@@ -88,14 +83,9 @@ System pair_fluid_system(SimulationSettings const& s) {
           .law = fluid.law(units),
           .conduction = std::monostate(),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-          .particles = {},
           .boltzmann = 1,
           .seed = s.seed,
-          .threads = s.threads,
-          .block_virial = {},
-          .block_energy = {},
-          .energy_gain = {},
-          .impulse = {}};
+          .threads = s.threads};
 }
 
 std::unique_ptr<System> build(SimulationSettings const& s) {

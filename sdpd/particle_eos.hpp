@@ -39,18 +39,10 @@ class ParticleEos {
       return -0.5 * slope / (C * C * C);
     }
     X temperature_from_energy(X eps, X T_guess) const {
-      if constexpr (std::is_same_v<X, double>)
-        return isochore_.temperature_from_energy(eps * p_.e_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
-      else
-        return fitting::temperature_from_energy(isochore_, eps * p_.e_unit_, T_guess * p_.T_unit_) /
-               p_.T_unit_;
+      return fitting::temperature_from_energy(isochore_, eps * p_.e_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
     }
     X temperature_from_entropy(X S, X T_guess) const {
-      if constexpr (std::is_same_v<X, double>)
-        return isochore_.temperature_from_entropy(S * p_.s_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
-      else
-        return fitting::temperature_from_entropy(isochore_, S * p_.s_unit_, T_guess * p_.T_unit_) /
-               p_.T_unit_;
+      return fitting::temperature_from_entropy(isochore_, S * p_.s_unit_, T_guess * p_.T_unit_) / p_.T_unit_;
     }
     Caloric caloric(double T) const {
       double const C = heat_capacity(T);

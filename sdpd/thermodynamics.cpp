@@ -8,38 +8,44 @@ namespace {
 
 using fitting::Pack, fitting::PackMask;
 
-/// The given quantity of a particle determines its temperature, and that the others.
+/// The given quantity of a particle determines its temperature, and that the other one.
 struct FromEntropy {
-  static void solve(Particles& particles, std::size_t i, auto const& at) {
-    double const T = at.temperature_from_entropy(particles.S[i], particles.T[i]);
-    particles.T[i] = T, particles.eps[i] = at.energy(T);
+  static constexpr auto given = &Particles::S, other = &Particles::eps;
+  static auto temperature(auto const& at, auto S, auto T_guess) {
+    return at.temperature_from_entropy(S, T_guess);
   }
-  /// Returns the lanes that it solved.
-  static PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at) {
-    Pack const T = at.temperature_from_entropy(places.load(particles.S), places.load(particles.T));
-    PackMask const fine = at.covered(T);
-    places.store(T, fine, particles.T);
-    places.store(at.energy(T), fine, particles.eps);
-    return fine;
-  }
+  static auto find(auto const& at, auto T) { return at.energy(T); }
 };
 struct FromEnergy {
-  static void solve(Particles& particles, std::size_t i, auto const& at) {
-    double const T = at.temperature_from_energy(particles.eps[i], particles.T[i]);
-    particles.T[i] = T, particles.S[i] = at.entropy(T);
+  static constexpr auto given = &Particles::eps, other = &Particles::S;
+  static auto temperature(auto const& at, auto eps, auto T_guess) {
+    return at.temperature_from_energy(eps, T_guess);
   }
-  static PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at) {
-    Pack const T = at.temperature_from_energy(places.load(particles.eps), places.load(particles.T));
+  static auto find(auto const& at, auto T) { return at.entropy(T); }
+};
+/// Nothing has to be found.
+struct FromTemperature {};
+
+template <class From>
+void solve(Particles& particles, std::size_t i, auto const& at) {
+  if constexpr (!std::is_same_v<From, FromTemperature>) {
+    double const T = From::temperature(at, (particles.*From::given)[i], particles.T[i]);
+    particles.T[i] = T, (particles.*From::other)[i] = From::find(at, T);
+  }
+}
+/// Returns the lanes that it solved.
+template <class From>
+PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at) {
+  if constexpr (std::is_same_v<From, FromTemperature>) {
+    return ~PackMask{};
+  } else {
+    Pack const T = From::temperature(at, places.load(particles.*From::given), places.load(particles.T));
     PackMask const fine = at.covered(T);
     places.store(T, fine, particles.T);
-    places.store(at.entropy(T), fine, particles.S);
+    places.store(From::find(at, T), fine, particles.*From::other);
     return fine;
   }
-};
-struct FromTemperature {
-  static void solve(Particles&, std::size_t, auto const&) {}
-  static PackMask solve(Particles&, PackedPlaces const&, auto const&) { return ~PackMask{}; }
-};
+}
 
 template <fitting::EquationOfState Eos>
 class ThermodynamicsOf final : public Thermodynamics {
@@ -90,7 +96,7 @@ class ThermodynamicsOf final : public Thermodynamics {
     } else {
       for (std::size_t i = range.begin; i < range.end; ++i)
         reported(particles, i, failure, [&](auto const& at) {
-          From::solve(particles, i, at);
+          solve<From>(particles, i, at);
           set_response(particles, i, at);
         });
     }
@@ -100,8 +106,8 @@ class ThermodynamicsOf final : public Thermodynamics {
   template <class From>
   void renew(Particles& particles, PackedPlaces const& places, Failure& failure) const {
     auto const at = eos_.at(places.load(particles.rho));
-    places.for_each_outside(From::solve(particles, places, at), [&](std::size_t i) {
-      reported(particles, i, failure, [&](auto const& alone) { From::solve(particles, i, alone); });
+    places.for_each_outside(solve<From>(particles, places, at), [&](std::size_t i) {
+      reported(particles, i, failure, [&](auto const& alone) { solve<From>(particles, i, alone); });
     });
     places.for_each_outside(set_responses(particles, places, at), [&](std::size_t i) {
       reported(particles, i, failure, [&](auto const& alone) { set_response(particles, i, alone); });

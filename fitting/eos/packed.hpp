@@ -57,8 +57,17 @@ struct Jet {
 
 } // namespace pack
 
-/// Temperatures from energies or entropies; NaN, or a number that covers() refuses, where there is none or
-/// the guess was far.
+/// Temperatures of single states, as the isochores give them themselves.
+template <class Isochore>
+double temperature_from_energy(Isochore const& at, double e, double T_guess) {
+  return at.temperature_from_energy(e, T_guess);
+}
+template <class Isochore>
+double temperature_from_entropy(Isochore const& at, double s, double T_guess) {
+  return at.temperature_from_entropy(s, T_guess);
+}
+/// Temperatures of packs from energies or entropies; NaN, or a number that covers() refuses, where there is
+/// none or the guess was far.
 inline Pack temperature_from_energy(BasicLinearIsochore<Pack> const& at, Pack e, Pack /*T_guess*/) {
   return at.unchecked_temperature_from_energy(e);
 }

@@ -108,7 +108,7 @@ void sweep_block(System& system, std::size_t number, Sweep<Law> const& sweep, Pa
   auto const& neighbours = system.neighbours;
   auto const pairs = neighbours.pairs(number);
   block.copy_in(system, number);
-  BlockSweep<Law, scheme, Block> in_lanes(system, block, inputs, sweep, counts, failure);
+  BlockSweep<Law, scheme, Block> sweep_lanes(system, block, inputs, sweep, counts, failure);
   bool fine = true;
   for_each_run(neighbours.pair_ends(number), [&](std::uint32_t begin, std::uint32_t end,
                                                  std::span<std::uint32_t const> ends) {
@@ -117,7 +117,7 @@ void sweep_block(System& system, std::size_t number, Sweep<Law> const& sweep, Pa
     prepare_pairs(system, sweep.law, block, pairs.subspan(begin, end - begin), sweep.noise.pairs, inputs);
     std::uint32_t at = begin;
     for (std::uint32_t const next : ends) {
-      fine = in_lanes.matching(pairs.subspan(at, next - at), at - begin);
+      fine = sweep_lanes.matching(pairs.subspan(at, next - at), at - begin);
       if (!fine)
         return;
       at = next;

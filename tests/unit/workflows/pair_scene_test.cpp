@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "replaced.hpp"
+#include "scene_error.hpp"
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -34,16 +34,7 @@ dt = 0.01
 steps = 100
 )";
 
-using tests::replaced;
-
-std::string error_of(std::string const& text) {
-  try {
-    parse_scene(text, "bad.toml");
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using tests::error_of, tests::replaced;
 
 TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
   auto const scene = parse_scene(dpde, "dpde.toml");

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "replaced.hpp"
+#include "scene_error.hpp"
 #include "workflows/scene/scene.hpp"
 #include <filesystem>
 #include <fmt/core.h>
@@ -27,16 +27,7 @@ dt = "1.5 fs"
 steps = 100
 )";
 
-using tests::replaced;
-
-std::string error_of(std::string const& text, std::vector<std::string> const& overrides = {}) {
-  try {
-    parse_scene(text, "bad.toml", overrides);
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using tests::error_of, tests::replaced;
 
 TEST(Scene, ReadsEveryValueInSI) {
   auto const scene = parse_scene(good, "good.toml");
