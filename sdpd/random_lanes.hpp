@@ -36,7 +36,7 @@ class NoiseLanes {
   struct Word {
     WideBits c0, c1, c2, c3;
   };
-  /// Philox4x32-10 of the counters (a, b, step, stream).
+  /// Philox4x32 of the counters (a, b, step, stream).
   [[gnu::always_inline]] Word generate(WideBits const& a, WideBits const& b) const {
     Half low{widen<0>(a), widen<0>(b), step_low_ - LongBits{}, step_high_and_stream_ - LongBits{}};
     Half high{widen<1>(a), widen<1>(b), low.x2, low.x3};
@@ -140,7 +140,7 @@ inline constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min(
 } // namespace detail
 
 /// Three standard Gaussian numbers for each of sixteen pairs of ids, and random bits that are independent of
-/// them, by Box and Muller's method on Philox4x32-10. Single precision is enough: the law is right to 1e-7,
+/// them, by Box and Muller's method on Philox4x32. Single precision is enough: the law is right to 1e-7,
 /// and what the noise drives conserves momentum and energy to double round-off all the same. The largest
 /// value is sqrt(2 ln 2^32) = 6.66.
 struct GaussianLanes {

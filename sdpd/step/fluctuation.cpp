@@ -1,7 +1,7 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
 #include "sdpd/step/fluctuation_entropy.hpp"
-#include "sdpd/step/fluctuation_group.hpp"
+#include "sdpd/step/fluctuation_strip.hpp"
 #include "sdpd/step/fluctuation_hybrid.hpp"
 #include "sdpd/step/fluctuation_implicit.hpp"
 #include "sdpd/step/fluctuation_isothermal.hpp"
@@ -13,59 +13,51 @@ ExpandedParticles in_lanes(FluctuatingBlock& block) {
   return {block.particles().data()};
 }
 ConstantCapacityParticles in_lanes(ConstantCapacityBlock& block) {
-  return {block.particles().data(), block.heat_capacity(), 1 / block.heat_capacity()};
+  return {block.particles().data(), {block.heat_capacity(), 1 / block.heat_capacity()}};
 }
 
 /// One block while it is swept.
 template <class Law, PairScheme scheme, class Block>
 class BlockSweep {
  public:
-  BlockSweep(System& system, Block& block, PairInputs& inputs, Sweep<Law> const& sweep, PairCounts& counts,
-             Failure& failure)
-      : system_(system), block_(block), inputs_(inputs), sweep_(sweep), counts_(counts), failure_(failure) {}
+  using BlockStrip = Strip<decltype(in_lanes(std::declval<Block&>()))>;
+
+  BlockSweep(System& system, Block& block, PairInputs& inputs, BlockStrip& strip, Sweep<Law> const& sweep,
+             PairCounts& counts, Failure& failure)
+      : system_(system), block_(block), inputs_(inputs), strip_(strip), sweep_(sweep), counts_(counts),
+        failure_(failure) {}
 
   /// Sweeps one matching, whose inputs begin at `first`. False when a particle has left the equation of
   /// state.
   bool matching(std::span<LocalPair const> pairs, std::size_t first) {
-    std::size_t k = 0;
-    for (; pairs.size() - k >= wide_count; k += wide_count)
-      if (!group<2>(&pairs[k], first + k, wide_count))
+    for (std::size_t k = 0; k < pairs.size(); k += strip_length)
+      if (!strip(pairs.subspan(k, std::min(strip_length, pairs.size() - k)), first + k))
         return false;
-    std::size_t const left = pairs.size() - k;
-    if (left == 0)
-      return true;
-    std::array<LocalPair, wide_count> last;
-    auto const phantom = static_cast<std::uint16_t>(block_.size());
-    last.fill({phantom, static_cast<std::uint16_t>(phantom + 1)});
-    std::copy_n(&pairs[k], left, last.begin());
-    return left <= lane_count ? group<1>(last.data(), first + k, left)
-                              : group<2>(last.data(), first + k, left);
+    return true;
   }
 
  private:
-  template <std::size_t halves>
-  bool group(LocalPair const* pair, std::size_t first, std::size_t count) {
-    auto const outcome =
-        fluctuate_group<Law, scheme, halves>(in_lanes(block_), pair, inputs_, first, count, sweep_);
-    counts_.proposed += count;
-    if (outcome.made == (1u << count) - 1 && outcome.renew == 0) [[likely]]
-      return true;
-    return finish(outcome, pair, first, count);
+  bool strip(std::span<LocalPair const> pairs, std::size_t first) {
+    auto const particles = in_lanes(block_);
+    strip_.read(particles, pairs, block_.size());
+    strip_.propose(inputs_, first, sweep_);
+    strip_.template judge<Law, scheme>(inputs_, first, sweep_);
+    strip_.write(particles);
+    counts_.proposed += pairs.size();
+    return strip_.for_each_open([&](std::size_t k, GroupOutcome const& outcome, unsigned bit) {
+      return finish(outcome, bit, pairs[k], first + k);
+    });
   }
   /// Whatever the lanes could not do.
-  bool finish(GroupOutcome const& outcome, LocalPair const* pair, std::size_t first, std::size_t count) {
-    for (std::size_t l = 0; l < count; ++l) {
-      unsigned const bit = 1u << l;
-      if (outcome.out_of_domain & bit)
-        ++counts_.out_of_domain;
-      else if ((outcome.exact | outcome.test) & bit)
-        exact_step(pair[l], first + l);
-      else if (!((outcome.made | outcome.renew) & bit))
-        ++counts_.metropolis;
-      if (((outcome.exact | outcome.test | outcome.renew) & bit) && !(renew(pair[l].i) && renew(pair[l].j)))
-        return false;
-    }
-    return true;
+  bool finish(GroupOutcome const& outcome, unsigned bit, LocalPair pair, std::size_t k) {
+    if (outcome.out_of_domain & bit)
+      ++counts_.out_of_domain;
+    else if ((outcome.exact | outcome.test) & bit)
+      exact_step(pair, k);
+    else if (!((outcome.made | outcome.renew) & bit))
+      ++counts_.metropolis;
+    bool const moved_far = (outcome.exact | outcome.test | outcome.renew) & bit;
+    return !moved_far || (renew(pair.i) && renew(pair.j));
   }
   bool renew(std::size_t local) {
     return block_.has_temperature(local) || block_.renew(system_, local, failure_);
@@ -95,6 +87,7 @@ class BlockSweep {
   System& system_;
   Block& block_;
   PairInputs& inputs_;
+  BlockStrip& strip_;
   Sweep<Law> const& sweep_;
   PairCounts& counts_;
   Failure& failure_;
@@ -108,7 +101,8 @@ void sweep_block(System& system, std::size_t number, Sweep<Law> const& sweep, Pa
   auto const& neighbours = system.neighbours;
   auto const pairs = neighbours.pairs(number);
   block.copy_in(system, number);
-  BlockSweep<Law, scheme, Block> sweep_lanes(system, block, inputs, sweep, counts, failure);
+  thread_local typename BlockSweep<Law, scheme, Block>::BlockStrip strip;
+  BlockSweep<Law, scheme, Block> sweep_lanes(system, block, inputs, strip, sweep, counts, failure);
   bool fine = true;
   for_each_run(neighbours.pair_ends(number), [&](std::uint32_t begin, std::uint32_t end,
                                                  std::span<std::uint32_t const> ends) {

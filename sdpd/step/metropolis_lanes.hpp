@@ -24,9 +24,14 @@ template <class Floats>
 struct NoiseTerms {
   Floats squares, widths;
 };
+/// Variances of the step that was proposed, along and across.
+template <class Floats>
+struct Variances {
+  Floats par, perp;
+};
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
-noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats>::Directions const& back,
+noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
             InputLanes<Across::common, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   auto const& e = input.e;
@@ -37,23 +42,23 @@ noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats
   Floats const across2 = dot(rest, rest) - rest_along * rest_along;
   Floats const noise2 =
       dot(input.G, input.G) - ratio(along * along, back.par.variance) - ratio(across2, back.perp.variance);
-  Floats const across_ratio = ratio(there.perp.variance, back.perp.variance);
-  return {noise2, ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
+  Floats const across_ratio = ratio(there.perp, back.perp.variance);
+  return {noise2, ratio(there.par, back.par.variance) * across_ratio * across_ratio};
 }
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
-noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats>::Directions const& back,
+noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
             InputLanes<Across::none, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   Floats const along_dv = dot(input.e, dv), noise = input.G_along, noise2 = noise * noise;
   Floats const along = along_dv + back.par.decay * (dot(input.e, v) + along_dv);
   return {noise2 - square_over_variance(along * along, back.par.variance, noise2),
-          ratio(there.par.variance, back.par.variance)};
+          ratio(there.par, back.par.variance)};
 }
 /// Either friction may vanish alone, which must not leave a round-off of the other.
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
-noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats>::Directions const& back,
+noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
             InputLanes<Across::own, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   auto const &e = input.e, &G = input.G;
@@ -66,10 +71,10 @@ noise_terms(typename Bath<Floats>::Directions const& there, typename Bath<Floats
   VectorLanes<Floats> const side{across(dv.x, moved.x, e.x), across(dv.y, moved.y, e.y),
                                  across(dv.z, moved.z, e.z)};
   Floats const noise2 = noise * noise, noise_across2 = dot(G, G) - noise2;
-  Floats const across_ratio = ratio(there.perp.variance, back.perp.variance);
+  Floats const across_ratio = ratio(there.perp, back.perp.variance);
   return {noise2 - square_over_variance(along * along, back.par.variance, noise2) + noise_across2 -
               square_over_variance(dot(side, side), back.perp.variance, noise_across2),
-          ratio(there.par.variance, back.par.variance) * across_ratio * across_ratio};
+          ratio(there.par, back.par.variance) * across_ratio * across_ratio};
 }
 
 } // namespace mesobridge::sdpd

@@ -7,14 +7,19 @@
 namespace mesobridge::sdpd {
 namespace {
 
-// Known answers of the Random123 distribution (kat_vectors, philox4x32 with 10 rounds).
+// Known answers of the Random123 distribution (kat_vectors, philox4x32 with 7 and 10 rounds).
 TEST(Philox, GivesThePublishedKnownAnswers) {
   using C = Philox4x32::Counter;
-  EXPECT_EQ(Philox4x32::generate({0, 0, 0, 0}, {0, 0}), (C{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  using K = Philox4x32::Key;
   std::uint32_t const f = 0xffffffff;
-  EXPECT_EQ(Philox4x32::generate({f, f, f, f}, {f, f}), (C{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
-  EXPECT_EQ(Philox4x32::generate({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
-            (C{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+  C const zeros{0, 0, 0, 0}, ones{f, f, f, f}, pi{0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344};
+  K const more_pi{0xa4093822, 0x299f31d0};
+  EXPECT_EQ(Philox4x32::generate(zeros, {0, 0}), (C{0x5f6fb709, 0x0d893f64, 0x4f121f81, 0x4f730a48}));
+  EXPECT_EQ(Philox4x32::generate(ones, {f, f}), (C{0x5207ddc2, 0x45165e59, 0x4d8ee751, 0x8c52f662}));
+  EXPECT_EQ(Philox4x32::generate(pi, more_pi), (C{0x4dfccaba, 0x190a87f0, 0xc47362ba, 0xb6b5242a}));
+  EXPECT_EQ(Philox4x32::generate<10>(zeros, {0, 0}), (C{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(Philox4x32::generate<10>(ones, {f, f}), (C{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(Philox4x32::generate<10>(pi, more_pi), (C{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 std::vector<double> many_gaussians(NoiseSource const& source, std::uint32_t pairs) {
