@@ -58,7 +58,7 @@ void colour_in_room(std::span<LocalPair const> pairs, std::size_t particles,
 void order_in_matchings(std::span<LocalPair const> pairs, std::size_t particles,
                         std::vector<LocalPair>& ordered, std::vector<std::uint32_t>& ends) {
   thread_local std::vector<std::uint32_t> matching;
-  colour_in_room<3>(pairs, particles, matching);
+  colour_in_room<4>(pairs, particles, matching);
   ends.clear();
   for (auto const m : matching) {
     if (m >= ends.size())
