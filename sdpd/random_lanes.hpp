@@ -1,6 +1,6 @@
 #pragma once
+#include "sdpd/pair/lane_math.hpp"
 #include "sdpd/random.hpp"
-#include "sdpd/wide_lanes.hpp"
 #include <limits>
 
 /// The noise of sixteen pairs at once, in the compiler's vector types.
@@ -80,26 +80,6 @@ class NoiseLanes {
   std::array<std::array<std::uint64_t, 2>, Philox4x32::rounds> keys_;
 };
 
-/// ln(u) for 0 < u <= 1, relative error 1e-7: split u = m 2^e with m in [sqrt(1/2), sqrt(2)), then the
-/// polynomial of the Cephes library (S. Moshier) in m - 1.
-[[gnu::always_inline]] inline WideFloats log_unit(WideFloats const& u) {
-  constexpr std::int32_t one = 0x3f800000, root_half = 0x3f3504f3, mantissa = 0x007fffff;
-  // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
-  WideInts const shifted = reinterpret<WideInts>(u) + (one - root_half);
-  WideFloats const exponent = __builtin_convertvector((shifted >> 23) - 127, WideFloats);
-  WideFloats const x = reinterpret<WideFloats>((shifted & mantissa) + root_half) - 1.0f, z = x * x;
-  WideFloats p = x * 7.0376836292e-2f - 1.1514610310e-1f;
-  p = p * x + 1.1676998740e-1f;
-  p = p * x - 1.2420140846e-1f;
-  p = p * x + 1.4249322787e-1f;
-  p = p * x - 1.6668057665e-1f;
-  p = p * x + 2.0000714765e-1f;
-  p = p * x - 2.4999993993e-1f;
-  p = p * x + 3.3333331174e-1f;
-  WideFloats const y = x * z * p - 2.12194440e-4f * exponent - 0.5f * z;
-  return x + y + 0.693359375f * exponent;
-}
-
 /// sin(pi x) for |x| <= 1/2, relative error 1e-7: the polynomial of degree 9 that is nearest to it.
 [[gnu::always_inline]] inline WideFloats sine_of_half_turn(WideFloats const& x) {
   WideFloats const z = x * x;
@@ -117,7 +97,7 @@ inline constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min(
 /// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
 [[gnu::always_inline]] inline WideFloats radius(WideBits const& c) {
   WideFloats const u = (__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f) * 0x1p-31f;
-  return square_root(-2.0f * log_unit(u));
+  return square_root(-2.0f * logarithm(u));
 }
 /// An angle in [-1, 1) half turns.
 [[gnu::always_inline]] inline WideFloats turn(WideBits const& c) {

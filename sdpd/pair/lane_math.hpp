@@ -80,6 +80,26 @@ template <class Floats>
   return exponent * ln2_high + (2.0 * f + (2.0 * f * z * series + exponent * ln2_low));
 }
 
+/// ln x of normal numbers x > 0, relative error 1e-7: x = m 2^e with m in [sqrt(1/2), sqrt(2)), then the
+/// polynomial of the Cephes library (S. Moshier) in m - 1.
+[[gnu::always_inline]] inline WideFloats logarithm(WideFloats const& x) {
+  constexpr std::int32_t one = 0x3f800000, root_half = 0x3f3504f3, mantissa = 0x007fffff;
+  // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
+  WideInts const shifted = reinterpret<WideInts>(x) + (one - root_half);
+  WideFloats const exponent = __builtin_convertvector((shifted >> 23) - 127, WideFloats);
+  WideFloats const f = reinterpret<WideFloats>((shifted & mantissa) + root_half) - 1.0f, z = f * f;
+  WideFloats p = f * 7.0376836292e-2f - 1.1514610310e-1f;
+  p = p * f + 1.1676998740e-1f;
+  p = p * f - 1.2420140846e-1f;
+  p = p * f + 1.4249322787e-1f;
+  p = p * f - 1.6668057665e-1f;
+  p = p * f + 2.0000714765e-1f;
+  p = p * f - 2.4999993993e-1f;
+  p = p * f + 3.3333331174e-1f;
+  WideFloats const y = f * z * p - 2.12194440e-4f * exponent - 0.5f * z;
+  return f + y + 0.693359375f * exponent;
+}
+
 [[gnu::always_inline]] inline double exponential(double x) {
   return std::exp(x);
 }

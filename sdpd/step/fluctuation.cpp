@@ -41,7 +41,9 @@ class BlockSweep {
     auto const particles = in_lanes(block_);
     strip_.read(particles, pairs, block_.size());
     strip_.propose(inputs_, first, sweep_);
-    strip_.template judge<Law, scheme>(inputs_, first, sweep_);
+    strip_.template judge<scheme>();
+    if constexpr (scheme == PairScheme::ems)
+      strip_.test(inputs_, first, sweep_);
     strip_.write(particles);
     counts_.proposed += pairs.size();
     return strip_.for_each_open([&](std::size_t k, GroupOutcome const& outcome, unsigned bit) {

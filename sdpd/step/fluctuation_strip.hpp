@@ -127,14 +127,13 @@ class alignas(64) Strip {
     }
   }
 
-  /// Finds the heat that the changes set free, and which of them are made.
-  template <class Law, PairScheme scheme>
-  void judge(PairInputs const& inputs, std::size_t first, Sweep<Law> const& sweep) {
+  /// Finds the heat that the changes set free, and which of them can be made.
+  template <PairScheme scheme>
+  void judge() {
     for (std::size_t k = 0; k < count_; k += wide_count) {
       auto const heat = each_half(k, [&](std::size_t n) [[gnu::always_inline]] { return heat_of(n); });
       store(heat[0], &heat_[k]), store(heat[1], &heat_[k + lane_count]);
-      PairsThermal const proposed =
-          thermal(k, [&](std::size_t n) [[gnu::always_inline]] { return load<Lanes>(&heat_[n]); });
+      PairsThermal const proposed = thermal(k, heat_there());
       auto bits = [&](auto const& f) [[gnu::always_inline]] {
         return join(std::array{f(k, 0), f(k + lane_count, 1)});
       };
@@ -158,17 +157,25 @@ class alignas(64) Strip {
                    .renew = 0,
                    .test = 0,
                    .out_of_domain = present & in_reach & ~in_domain};
-      if constexpr (scheme == PairScheme::ems) {
-        InputLanes<Law::across, WideFloats> const input(inputs, first + k);
-        auto const back = step_of(sweep, input.weight, proposed.rounded);
-        auto const noise = noise_terms<WideFloats>(
-            {load<WideFloats>(&variance_par_[k]), load<WideFloats>(&variance_perp_[k])}, back, input,
-            velocity(k), change(k));
-        auto const verdict =
-            metropolis(log_acceptance<Law>(noise, k, proposed, sweep.law.boltzmann), &inputs.bits[first + k]);
-        outcome.test = outcome.made & verdict.open;
-        outcome.made &= verdict.passed;
-      }
+    }
+  }
+
+  /// Metropolis's test of EMS for the steps that are made so far.
+  template <class Law>
+  void test(PairInputs const& inputs, std::size_t first, Sweep<Law> const& sweep) {
+    for (std::size_t k = 0; k < count_; k += wide_count) {
+      InputLanes<Law::across, WideFloats> const input(inputs, first + k);
+      auto const back = step_of(sweep, input.weight, thermal(k, heat_there()).rounded);
+      auto const noise =
+          noise_terms<WideFloats>({load<WideFloats>(&variance_par_[k]), load<WideFloats>(&variance_perp_[k])},
+                                  back, input, velocity(k), change(k));
+      store(noise.squares, &noise_squares_[k]), store(noise.widths, &noise_widths_[k]);
+    }
+    for (std::size_t k = 0; k < count_; k += wide_count) {
+      GroupOutcome& outcome = outcomes_[k / wide_count];
+      auto const verdict = metropolis(log_acceptance<Law>(k, sweep.law.boltzmann), &inputs.bits[first + k]);
+      outcome.test = outcome.made & verdict.open;
+      outcome.made &= verdict.passed;
     }
   }
 
@@ -223,6 +230,9 @@ class alignas(64) Strip {
     return step_in(sweep.law.template bath<WideFloats>(at), sweep.law, weight, sweep.dt);
   }
   [[gnu::always_inline]] static Lanes no_heat(std::size_t) { return Lanes{}; }
+  [[gnu::always_inline]] auto heat_there() const {
+    return [this](std::size_t k) [[gnu::always_inline]] { return load<Lanes>(&heat_[k]); };
+  }
   /// The pairs' state when both their particles have gained some heat.
   template <class Heat>
   [[gnu::always_inline]] PairsThermal thermal(std::size_t k, Heat const& heat) const {
@@ -260,23 +270,19 @@ class alignas(64) Strip {
 
   /// The exponent a of theory sheet, section 3, EMS, as in ExactPair.
   template <class Law>
-  [[gnu::always_inline]] WideFloats log_acceptance(NoiseTerms<WideFloats> const& noise, std::size_t k,
-                                                   PairsThermal const& proposed, double boltzmann) const {
-    auto const at = thermal(k, no_heat);
-    Halves const all_widths = halves(noise.widths);
+  [[gnu::always_inline]] WideFloats log_acceptance(std::size_t k, double boltzmann) const {
+    auto const at = thermal(k, no_heat), proposed = thermal(k, heat_there());
     auto exact = [&](std::size_t n, std::size_t h) [[gnu::always_inline]] {
-      Lanes const log_a = logarithm(proposed.T_a[h] / at.T_a[h]),
-                  log_b = logarithm(proposed.T_b[h] / at.T_b[h]);
-      Lanes const entropies = (a_.caloric.at(n).entropy_change(at.T_a[h], proposed.T_a[h], log_a) +
-                               b_.caloric.at(n).entropy_change(at.T_b[h], proposed.T_b[h], log_b)) *
-                              broadcast(1 / boltzmann);
-      Lanes const widths = 0.5 * logarithm(all_widths[h]);
+      auto const [entropy, log_T] = pair_change(a_.caloric.at(n), b_.caloric.at(n), at.T_a[h], at.T_b[h],
+                                                proposed.T_a[h], proposed.T_b[h]);
+      Lanes const entropies = entropy * broadcast(1 / boltzmann);
       if constexpr (Law::measure_over_T)
-        return entropies - log_a - log_b + widths;
+        return entropies - log_T;
       else
-        return entropies + widths;
+        return entropies;
     };
-    return rounded({exact(k, 0), exact(k + lane_count, 1)}) + 0.5f * noise.squares;
+    return rounded({exact(k, 0), exact(k + lane_count, 1)}) +
+           0.5f * (logarithm(load<WideFloats>(&noise_widths_[k])) + load<WideFloats>(&noise_squares_[k]));
   }
 
   /// Lanes whose Metropolis test is passed for certain, and those for which more bits are needed.
@@ -301,7 +307,8 @@ class alignas(64) Strip {
   alignas(64) std::array<LocalPair, strip_length> pairs_{};
   alignas(64) StripNumbers v_x_{}, v_y_{}, v_z_{}, heat_{};
   Side a_{}, b_{};
-  alignas(64) StripFloats change_x_{}, change_y_{}, change_z_{}, variance_par_{}, variance_perp_{};
+  alignas(64) StripFloats change_x_{}, change_y_{}, change_z_{}, variance_par_{}, variance_perp_{},
+      noise_squares_{}, noise_widths_{};
   std::array<GroupOutcome, strip_length / wide_count> outcomes_{};
 };
 

@@ -30,10 +30,25 @@ struct ConstantCaloric {
   [[gnu::always_inline]] Lanes T(Lanes const& u) const { return u * inverse; }
   [[gnu::always_inline]] Lanes inverse_C(Lanes const&) const { return broadcast(inverse); }
   [[gnu::always_inline]] static unsigned in_reach(Lanes const&) { return (1u << lane_count) - 1; }
-  [[gnu::always_inline]] Lanes entropy_change(Lanes const&, Lanes const&, Lanes const& log_ratio) const {
-    return C * log_ratio;
-  }
 };
+
+/// What pairs' temperatures become, T to T_1, does to the sums of their entropies and of ln T.
+struct PairChange {
+  Lanes entropy, log_T;
+};
+[[gnu::always_inline]] inline PairChange pair_change(CaloricLanes const& a, CaloricLanes const& b,
+                                                     Lanes const& T_a, Lanes const& T_b, Lanes const& T_a1,
+                                                     Lanes const& T_b1) {
+  Lanes const log_a = logarithm(T_a1 / T_a), log_b = logarithm(T_b1 / T_b);
+  return {a.entropy_change(T_a, T_a1, log_a) + b.entropy_change(T_b, T_b1, log_b), log_a + log_b};
+}
+/// With one heat capacity, one logarithm says both.
+[[gnu::always_inline]] inline PairChange pair_change(ConstantCaloric const& of_both, ConstantCaloric const&,
+                                                     Lanes const& T_a, Lanes const& T_b, Lanes const& T_a1,
+                                                     Lanes const& T_b1) {
+  Lanes const log_T = logarithm((T_a1 * T_b1) / (T_a * T_b));
+  return {of_both.C * log_T, log_T};
+}
 
 /// Eight particles, one of each pair.
 struct ConstantCapacityLanes {
