@@ -42,24 +42,34 @@ void Progress::update(double done, std::string const& note) {
   if (finished_ || style_ == Style::quiet)
     return;
   auto const now = now_();
+  if (!first_)
+    first_ = Instant{now, done};
   auto const interval = style_ == Style::bar ? Clock::duration(bar_interval) : Clock::duration(line_interval);
   if (now - drawn_ < interval)
     return;
   drawn_ = now;
-  draw(std::chrono::duration<double>(now - start_).count(), done, note);
+  draw(now, done, note);
 }
 
-void Progress::draw(double elapsed, double done, std::string const& note) {
+std::string Progress::left(Clock::time_point now, double done) const {
+  // A resumed run finds much of its work done: what was done since the first update tells its speed.
+  auto const [begin, done_before] = done > first_->done ? *first_ : Instant{start_, 0};
+  if (done <= done_before)
+    return "starting";
+  double const elapsed = std::chrono::duration<double>(now - begin).count();
+  return duration_text(elapsed * std::max(total_ - done, 0.0) / (done - done_before)) + " left";
+}
+
+void Progress::draw(Clock::time_point now, double done, std::string const& note) {
   double const fraction = std::clamp(done / total_, 0.0, 1.0);
-  auto const left = fraction > 0 ? duration_text(elapsed * (1 - fraction) / fraction) + " left" : "starting";
   auto const tail = note.empty() ? "" : " · " + note;
   if (style_ == Style::bar) {
     auto const filled = static_cast<std::size_t>(fraction * bar_width);
     *out_ << erase_line
           << fmt::format("{} [{}{}] {:3.0f} % · {}{}", title_, std::string(filled, '#'),
-                         std::string(bar_width - filled, '.'), 100 * fraction, left, tail);
+                         std::string(bar_width - filled, '.'), 100 * fraction, left(now, done), tail);
   } else {
-    *out_ << fmt::format("{}: {:.0f} % · {}{}\n", title_, 100 * fraction, left, tail);
+    *out_ << fmt::format("{}: {:.0f} % · {}{}\n", title_, 100 * fraction, left(now, done), tail);
   }
   *out_ << std::flush;
 }

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace mesobridge::workflows {
@@ -30,7 +31,12 @@ class Progress {
   static Style style_of_stderr();
 
  private:
-  void draw(double elapsed, double done, std::string const& note);
+  struct Instant {
+    Clock::time_point time;
+    double done;
+  };
+  void draw(Clock::time_point now, double done, std::string const& note);
+  std::string left(Clock::time_point now, double done) const;
 
   Style style_;
   std::ostream* out_;
@@ -38,6 +44,7 @@ class Progress {
   double total_;
   std::function<Clock::time_point()> now_;
   Clock::time_point start_, drawn_;
+  std::optional<Instant> first_; ///< update
   bool finished_ = false;
 };
 

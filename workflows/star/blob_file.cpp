@@ -6,6 +6,8 @@ namespace mesobridge::workflows {
 
 namespace {
 
+constexpr std::int64_t before_all = -1; ///< a step
+
 std::vector<Vec3> vectors(std::vector<double> const& flat, std::size_t count) {
   std::vector<Vec3> result(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -27,8 +29,6 @@ std::vector<double> flat(cg::BlobFrame const& frame, Vec3 cg::Blob::*member) {
     row.insert(row.end(), {(blob.*member).x, (blob.*member).y, (blob.*member).z});
   return row;
 }
-
-constexpr char const* last_column = "blobs/Phi"; ///< the one that append writes last
 
 BlobFileHead read_head(Store const& store) {
   BlobFileHead head;
@@ -54,7 +54,7 @@ void refuse_other(Store const& store, std::filesystem::path const& file) {
 } // namespace
 
 BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance)
-    : store_(file, Store::Mode::create) {
+    : store_(file, Store::Mode::create, Store::Safety::marked) {
   write_provenance(store_, provenance);
   store_.set_attribute("settings", "kind", head.kind);
   store_.set_attribute("settings", "name", head.name);
@@ -66,10 +66,11 @@ BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, 
   store_.set_attribute("settings", "T", head.T);
   if (!head.set.empty())
     store_.write("settings/set", std::span<double const>(head.set));
-  store_.flush();
+  store_.mark();
 }
 
 BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string const& fingerprint) {
+  Store::mend(file);
   {
     Store const store(file, Store::Mode::read);
     refuse_other(store, file);
@@ -78,46 +79,33 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
                                    "replaced",
                                    file.string(), was));
   }
-  return BlobFile(Store(file, Store::Mode::append));
-}
-
-std::size_t BlobFile::frames() const {
-  return store_.contains(last_column) ? store_.shape(last_column)[0] : 0;
-}
-
-void BlobFile::append_column(std::string const& path, std::span<double const> row, std::size_t frame,
-                             Store::Shape const& shape) {
-  // A run that was killed between two columns left the earlier ones longer.
-  if (!store_.contains(path) || store_.shape(path)[0] <= frame)
-    store_.append(path, row, shape);
+  return BlobFile(Store(file, Store::Mode::append, Store::Safety::marked));
 }
 
 void BlobFile::append(std::span<cg::BlobFrame const> frames) {
   for (auto const& frame : frames) {
-    if (!next_) { // frames that an interrupted run has written are not written again
-      auto const steps =
-          store_.contains("frames/step") ? store_.read_integers("frames/step") : std::vector<std::int64_t>{};
-      next_ = std::size_t(std::lower_bound(steps.begin(), steps.end(), frame.step) - steps.begin());
-    }
-    std::size_t const k = (*next_)++;
-    if (k < this->frames())
+    if (!last_step_) // a resumed run makes the frames after its checkpoint once more
+      last_step_ = store_.contains("frames/step") ? store_.read_integers("frames/step").back() : before_all;
+    if (frame.step <= *last_step_)
       continue;
-    if (!store_.contains("frames/step") || store_.shape("frames/step")[0] <= k)
-      store_.append("frames/step", std::span<std::int64_t const>(&frame.step, 1));
-    append_column("frames/time", std::span(&frame.time, 1), k, {});
-    std::vector<double> const edges{frame.box.edge.x, frame.box.edge.y, frame.box.edge.z};
-    append_column("frames/box", edges, k, {3});
-    append_column("frames/energy", std::span(&frame.energy, 1), k, {});
-    append_column("frames/pressure", std::span(&frame.pressure, 1), k, {});
+    last_step_ = frame.step;
+    auto const add = [&](char const* path, std::span<double const> row, Store::Shape const& shape = {}) {
+      store_.append(path, row, shape);
+    };
+    store_.append("frames/step", std::span<std::int64_t const>(&frame.step, 1));
+    add("frames/time", std::span(&frame.time, 1));
+    add("frames/box", std::vector{frame.box.edge.x, frame.box.edge.y, frame.box.edge.z}, {3});
+    add("frames/energy", std::span(&frame.energy, 1));
+    add("frames/pressure", std::span(&frame.pressure, 1));
     auto const n = frame.blobs.size();
-    append_column("blobs/R", flat(frame, &cg::Blob::R), k, {n, 3});
-    append_column("blobs/P", flat(frame, &cg::Blob::P), k, {n, 3});
-    append_column("blobs/F", flat(frame, &cg::Blob::F), k, {n, 3});
-    append_column("blobs/U_kin", scalars(frame, &cg::Blob::U_kin), k, {n});
-    append_column("blobs/U_pot", scalars(frame, &cg::Blob::U_pot), k, {n});
-    append_column(last_column, scalars(frame, &cg::Blob::Phi), k, {n});
+    add("blobs/R", flat(frame, &cg::Blob::R), {n, 3});
+    add("blobs/P", flat(frame, &cg::Blob::P), {n, 3});
+    add("blobs/F", flat(frame, &cg::Blob::F), {n, 3});
+    add("blobs/U_kin", scalars(frame, &cg::Blob::U_kin), {n});
+    add("blobs/U_pot", scalars(frame, &cg::Blob::U_pot), {n});
+    add("blobs/Phi", scalars(frame, &cg::Blob::Phi), {n});
   }
-  store_.flush();
+  store_.mark();
 }
 
 void BlobFile::close() {
@@ -135,18 +123,19 @@ BlobData read_blobs(std::filesystem::path const& file) {
   refuse_other(store, file);
   BlobData data;
   data.head = read_head(store);
-  if (!store.contains(last_column))
+  if (!store.contains("frames/step"))
     throw InputError(
         fmt::format("'{}' holds no frame yet: the run has not reached its sampling", file.string()));
-  std::size_t const frames = store.shape(last_column)[0];
+  std::size_t const frames = store.shape("frames/step")[0];
   std::size_t const blobs = frames * std::size_t(data.head.molecules);
   auto const column = [&](char const* path, std::size_t count) {
     auto values = store.read_doubles(path);
-    values.resize(count);
+    if (values.size() != count)
+      throw InputError(fmt::format("'{}': {} has {} numbers, but {} frames need {}", file.string(), path,
+                                   values.size(), frames, count));
     return values;
   };
   data.steps = store.read_integers("frames/step");
-  data.steps.resize(frames);
   data.times = column("frames/time", frames);
   data.energies = column("frames/energy", frames);
   data.pressures = column("frames/pressure", frames);

@@ -27,19 +27,16 @@ class BlobFile {
   /// Opens the file of a run to be resumed. Throws InputError when its fingerprint is another.
   static BlobFile continue_file(std::filesystem::path const& file, std::string const& fingerprint);
 
-  /// Appends what of the frames the file does not hold yet (a run that was killed may have left any part of
-  /// them) and flushes.
+  /// Appends the frames that the file does not hold yet. From then on they survive the program's death; what
+  /// a death in between leaves of them is undone when the file is opened again.
   void append(std::span<cg::BlobFrame const> frames);
-  std::size_t frames() const; ///< complete ones
   void close();
 
  private:
   explicit BlobFile(Store store) : store_(std::move(store)) {}
-  void append_column(std::string const& path, std::span<double const> row, std::size_t frame,
-                     Store::Shape const& shape);
 
   Store store_;
-  std::optional<std::size_t> next_; ///< number of the frame that is appended next
+  std::optional<std::int64_t> last_step_; ///< of the frames in the file, once that is known
 };
 
 /// All blobs of a file, column by column: number frame * molecules + molecule.

@@ -23,6 +23,7 @@ bool to_be_resumed(std::filesystem::path const& blobs, std::filesystem::path con
                    std::string const& fingerprint) {
   if (!std::filesystem::exists(checkpoint) || !std::filesystem::exists(blobs))
     return false;
+  Store::mend(blobs);
   if (auto const was = read_blob_head(blobs).fingerprint; was != fingerprint)
     throw InputError(fmt::format("'{}' is of a run with other settings ({}): remove it or choose another "
                                  "folder with -o",

@@ -1,3 +1,4 @@
+#include "workflows/store/file_lock.hpp"
 #include "workflows/store/store_implementation.hpp"
 
 namespace mesobridge::workflows {
@@ -8,7 +9,10 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
   auto& self = *implementation_;
   self.file = std::move(file), self.safety = safety;
   auto const name = self.file.string();
+  auto const wait_for_others = [&](FileLock::Kind kind) { FileLock const held_for_a_moment(self.file, kind); };
   if (mode == Mode::create) {
+    if (std::filesystem::exists(self.file))
+      wait_for_others(FileLock::Kind::exclusive);
     UndoJournal::discard(self.file); // of a file of that name that is no more
     self.handle = self.check(
         {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, self.access().get()), H5Fclose}, "create");
@@ -17,7 +21,9 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
   if (!std::filesystem::exists(self.file))
     throw InputError(fmt::format("cannot read '{}': No such file or directory", name));
   if (mode == Mode::append && safety == Safety::marked)
-    UndoJournal::roll_back(self.file);
+    mend(self.file);
+  else
+    wait_for_others(mode == Mode::read ? FileLock::Kind::shared : FileLock::Kind::exclusive);
   if (H5Fis_hdf5(name.c_str()) <= 0)
     throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
   auto const flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
@@ -173,6 +179,12 @@ void Store::mark() {
   if (self.safety != Safety::marked)
     throw std::logic_error(fmt::format("'{}' was not opened to be marked", self.file.string()));
   self.journal.emplace(self.file);
+}
+
+void Store::mend(std::filesystem::path const& file) {
+  FileLock const lock(file, FileLock::Kind::exclusive);
+  UndoJournal::roll_back(file);
+  UndoJournal::discard(file);
 }
 
 void Store::close() {

@@ -26,6 +26,7 @@ class Store {
   };
   using Shape = std::vector<std::size_t>;
 
+  /// Waits some seconds for another process that has the file open (see FileLock).
   Store(std::filesystem::path file, Mode mode, Safety safety = Safety::plain);
   Store(Store&&) noexcept;
   ~Store(); ///< closes silently; call close() to learn whether all is on the disk
@@ -70,6 +71,9 @@ class Store {
   void close(); ///< flushes and closes; the store is unusable afterwards
 
   std::filesystem::path const& file() const;
+
+  /// Leads a marked file whose writer died back to its last mark; nothing happens to others.
+  static void mend(std::filesystem::path const& file);
 
   /// Rows that a growing dataset takes room for at a time, by the bytes of a row: chunks of about 64 kB,
   /// large enough for the disk, small enough that a short series wastes little.

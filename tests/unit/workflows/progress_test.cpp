@@ -45,6 +45,15 @@ TEST_F(ProgressTest, TheBarIsRedrawnInPlaceAndRemoved) {
   EXPECT_EQ(out.str(), "\r\033[Ksampling [#######.......................]  25 % · 2 min 30 s left\r\033[K");
 }
 
+TEST_F(ProgressTest, AResumedRunIsNotTakenForAFastOne) {
+  auto progress = start(Progress::Style::lines);
+  watch.time += 1s;
+  progress.update(150);
+  watch.time += 10s;
+  progress.update(160);
+  EXPECT_EQ(out.str(), "sampling: 80 % · 40 s left\n");
+}
+
 TEST_F(ProgressTest, QuietSaysNothing) {
   auto progress = start(Progress::Style::quiet);
   watch.time += 1h;

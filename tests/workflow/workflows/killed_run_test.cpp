@@ -37,8 +37,9 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
   return result;
 }
 
-/// Starts the program and sends it a signal after a while; its status as waitpid tells it.
-int killed_after(std::chrono::microseconds delay, int signal, std::vector<std::string> command) {
+/// Starts the program, waits and sends it a signal; its status as waitpid tells it.
+template <class Wait>
+int killed(Wait const& wait, int signal, std::vector<std::string> command) {
   std::vector<char*> argv;
   for (auto& word : command)
     argv.push_back(word.data());
@@ -48,11 +49,15 @@ int killed_after(std::chrono::microseconds delay, int signal, std::vector<std::s
     execv(argv[0], argv.data());
     _exit(127);
   }
-  std::this_thread::sleep_for(delay);
+  wait();
   kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
   return status;
+}
+
+int killed_after(std::chrono::microseconds delay, int signal, std::vector<std::string> const& command) {
+  return killed([&] { std::this_thread::sleep_for(delay); }, signal, command);
 }
 
 std::vector<std::vector<double>> datasets(std::filesystem::path const& file,
@@ -144,6 +149,34 @@ TEST(KilledRun, OfIsolatedStarsEndsWithTheBitsOfAnUnbrokenOne) {
   auto const expected = datasets(unbroken / "vacuum.h5", columns);
   ASSERT_EQ(expected[0].size(), 150u);
   EXPECT_TRUE(expected == datasets(broken / "vacuum.h5", columns));
+}
+
+// The ranks of a killed program end a moment after it. The next one, started at once, waits for them.
+TEST(KilledRun, OfAMeltOnTwoRanksIsResumedAtOnce) {
+  ScratchDirectory const scratch;
+  auto const melt = scratch / "melt";
+  auto const command = [&] {
+    std::vector<std::string> words{MESOBRIDGE_PROGRAM, "md", "star-melt", "--star", "3-1", "--ranks", "2"};
+    words.insert(words.end(), {"--molecules", "64", "--rho", "0.1", "--equilibration-steps", "400",
+                               "--sampling-steps", "6000", "--sample-every", "20", "--checkpoint-every",
+                               "200", "--quiet", "-o", melt.string()});
+    if (std::filesystem::exists(melt / "star-melt.restart"))
+      words.emplace_back("--resume");
+    return words;
+  };
+  auto const until_a_checkpoint = [&] {
+    for (int k = 0; k < 4000 && !std::filesystem::exists(melt / "star-melt.restart"); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  ASSERT_TRUE(WIFSIGNALED(killed(until_a_checkpoint, SIGKILL, command())));
+  auto const last = run_process(command());
+  ASSERT_EQ(last.status, 0) << last.errors;
+  Store const blobs(melt / "blobs.h5", Store::Mode::read), centres(melt / "centres.h5", Store::Mode::read);
+  auto const steps = blobs.read_integers("frames/step");
+  ASSERT_EQ(steps.size(), 300u);
+  for (std::size_t k = 1; k < steps.size(); ++k)
+    ASSERT_EQ(steps[k] - steps[k - 1], 20) << k;
+  EXPECT_EQ(centres.read_integers("particles/all/position/step"), steps);
 }
 
 } // namespace
