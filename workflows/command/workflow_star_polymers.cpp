@@ -4,20 +4,56 @@
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <optional>
 
 namespace mesobridge::workflows {
 
 namespace {
 
-Result star_polymers(std::string const& preset, Context const& context) {
-  auto const directory = context.output_directory("out/star-polymers");
+struct Options {
+  std::string preset = "quick";
+  std::vector<std::string> stars;
+  std::vector<double> densities;
+  std::optional<int> molecules, vacuum_molecules;
+  std::optional<std::int64_t> sampling_steps, vacuum_sampling_steps;
+};
+
+/// The preset's plan with what the user wants otherwise.
+ChapterPlan plan_of(Options const& options, std::uint64_t seed) {
+  auto plan = chapter_plan(preset_of(options.preset), seed);
+  plan.vacuum.molecules = options.vacuum_molecules.value_or(plan.vacuum.molecules);
+  plan.vacuum.sampling_steps = options.vacuum_sampling_steps.value_or(plan.vacuum.sampling_steps);
+  auto const usual = plan.molecules.front().melts.front();
+  if (!options.stars.empty()) {
+    plan.molecules.clear();
+    for (auto const& name : options.stars)
+      plan.molecules.push_back({md::star_of_name(name), {usual}});
+  }
+  for (auto& [star, melts] : plan.molecules) {
+    if (!options.densities.empty()) {
+      melts.clear();
+      for (double const rho : options.densities)
+        melts.push_back({rho, usual.molecules, usual.sampling_steps});
+    }
+    for (auto& melt : melts) {
+      melt.molecules = options.molecules.value_or(melt.molecules);
+      melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
+    }
+  }
+  check(plan); // before anything is run
+  return plan;
+}
+
+Result star_polymers(Options const& options, Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
-  auto const chapter = run_chapter(chapter_plan(preset_of(preset), seed), directory, context);
+  auto const plan = plan_of(options, seed);
+  auto const directory = context.output_directory("out/star-polymers");
+  auto const chapter = run_chapter(plan, directory, context);
   auto report = chapter_report(chapter);
   report.provenance = {context.command_line(), seed, "", {}};
   Result result;
   result.json = chapter_summary(chapter);
-  result.json["preset"] = preset;
+  result.json["preset"] = options.preset;
   write_summary(directory / "summary.json", result.json);
   write_text_file(directory / "report.html", report.html());
   result.json["report"] = (directory / "report.html").string();
@@ -30,14 +66,22 @@ Result star_polymers(std::string const& preset, Context const& context) {
 Command workflow_star_polymers_command() {
   return {.name = "workflow star-polymers",
           .summary = "Chapter 3 of the thesis: melts and isolated stars, key approximation, entropy, report",
-          .example = "mesobridge workflow star-polymers --preset quick -o out/star-polymers",
+          .example = "mesobridge workflow star-polymers --star 4-5 --rho 0.2 0.4 -o out/star-polymers",
           .declare = [](CLI::App& app) -> Command::Action {
-            auto preset = std::make_shared<std::string>("quick");
-            app.add_option("--preset", *preset,
+            auto options = std::make_shared<Options>();
+            app.add_option("--preset", options->preset,
                            "quick (minutes), standard (hours; goes on when run again) or paper")
                 ->capture_default_str()
                 ->check(CLI::IsMember({"quick", "standard", "paper"}));
-            return [preset](Context& context) { return star_polymers(*preset, context); };
+            app.add_option("--star", options->stars, "ARMS-BEADS of other molecules than the preset's")
+                ->type_name("N-N");
+            app.add_option("--rho", options->densities, "Beads per sigma^3 of other melts than the preset's");
+            app.add_option("--molecules", options->molecules, "Stars in each melt");
+            app.add_option("--sampling-steps", options->sampling_steps, "Steps of each melt at constant energy");
+            app.add_option("--vacuum-molecules", options->vacuum_molecules, "Isolated stars");
+            app.add_option("--vacuum-sampling-steps", options->vacuum_sampling_steps,
+                           "Steps of the isolated stars at set temperatures");
+            return [options](Context& context) { return star_polymers(*options, context); };
           }};
 }
 

@@ -41,11 +41,7 @@ std::filesystem::path make_folder(std::filesystem::path const& folder) {
 
 MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPlan::Melt const& melt,
                  std::filesystem::path const& directory, Context const& context) {
-  MeltJob job{.settings = plan.melt};
-  job.settings.star = star;
-  job.settings.rho = melt.rho;
-  job.settings.molecules = melt.molecules;
-  job.settings.sampling_steps = melt.sampling_steps;
+  MeltJob job{.settings = melt_settings(plan, star, melt)};
   job.settings.directory = make_folder(directory / fmt::format("melt-{}-{}", star.name(), melt.rho));
   if (frames_there(job.summary(), job.settings.fingerprint()) >= md::frames_of(job.settings))
     return job;

@@ -25,6 +25,11 @@ struct ChapterPlan {
   std::int64_t microcanonical_steps = 0;
 };
 ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed);
+/// Throws InputError when a run of the plan cannot be made, or is there twice.
+void check(ChapterPlan const& plan);
+/// All settings of a melt but its directory.
+md::StarMeltSettings melt_settings(ChapterPlan const& plan, md::StarPolymer const& star,
+                                   ChapterPlan::Melt const& melt);
 
 /// One melt and what came of it.
 struct ChapterMelt {

@@ -1,5 +1,7 @@
 #include "workflows/star/chapter.hpp"
+#include "md/error.hpp"
 #include <algorithm>
+#include <set>
 
 namespace mesobridge::workflows {
 
@@ -50,6 +52,30 @@ ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
         melt.molecules = std::max(melt.molecules, 1000), melt.sampling_steps = 5000000;
   }
   return plan;
+}
+
+md::StarMeltSettings melt_settings(ChapterPlan const& plan, md::StarPolymer const& star,
+                                   ChapterPlan::Melt const& melt) {
+  auto settings = plan.melt;
+  settings.star = star;
+  settings.rho = melt.rho;
+  settings.molecules = melt.molecules;
+  settings.sampling_steps = melt.sampling_steps;
+  return settings;
+}
+
+void check(ChapterPlan const& plan) {
+  std::set<std::pair<std::string, double>> seen;
+  for (auto const& [star, melts] : plan.molecules) {
+    auto vacuum = plan.vacuum;
+    vacuum.star = star;
+    md::check(vacuum);
+    for (auto const& melt : melts) {
+      md::check(melt_settings(plan, star, melt));
+      require(seen.emplace(star.name(), melt.rho).second, "rho of " + star.name() + " stars", melt.rho,
+              "must not be there twice");
+    }
+  }
 }
 
 } // namespace mesobridge::workflows

@@ -94,9 +94,7 @@ TEST(Chapter, StandardHasFiveDensitiesOfThreeMoleculesWithinItsBudget) {
     EXPECT_EQ(list.front().rho, 0.3);
     double densities = 0;
     for (auto const& melt : list) {
-      auto settings = plan.melt;
-      settings.star = star, settings.rho = melt.rho;
-      settings.molecules = melt.molecules, settings.sampling_steps = melt.sampling_steps;
+      auto const settings = melt_settings(plan, star, melt);
       EXPECT_NO_THROW(md::check(settings)) << star.name() << " at " << melt.rho;
       auto const last = md::plan(settings).back();
       atom_steps += double(melt.molecules) * star.atoms() * double(last.first_step + last.steps);

@@ -181,6 +181,29 @@ TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
   EXPECT_NEAR(data.Phi[1], wca / 2, 1e-9);
 }
 
+TEST(StarCommands, AWorkflowOfOnesOwnIsReported) {
+  ScratchDirectory const scratch;
+  auto words = std::vector<std::string>{"workflow", "star-polymers"};
+  words.insert(words.end(), {"--star", "4-1", "--rho", "0.5", "--molecules", "125", "--sampling-steps",
+                             "40000", "--vacuum-molecules", "60", "--vacuum-sampling-steps", "10000",
+                             "--ranks", "1", "-o", scratch.path().string(), "--json", "--quiet"});
+  auto const result = program(words);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output), summary = Json::parse(read_text_file(scratch / "summary.json"));
+  ASSERT_EQ(summary["melts"].size(), 1u);
+  EXPECT_EQ(summary["star"], "4-1");
+  EXPECT_EQ(summary["rho"], 0.5);
+  EXPECT_EQ(json["heat_capacity_melt"], summary["heat_capacity_melt"]);
+  auto const html = read_text_file(scratch / "report.html");
+  EXPECT_NE(html.find("4-1"), std::string::npos);
+  EXPECT_NE(html.find("workflow star-polymers --star 4-1"), std::string::npos) << "its command";
+  // What cannot be run is refused before anything is.
+  words.insert(words.begin() + 6, "0.5");
+  auto const twice = program(words);
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.errors.find("must not be there twice"), std::string::npos) << twice.errors;
+}
+
 TEST(StarCommands, BenchSaysWhatBlobsCost) {
   ScratchDirectory const scratch;
   auto const result = program({"bench", "blobs", "--molecules", "27", "--rho", "0.05", "--repeats", "16",
