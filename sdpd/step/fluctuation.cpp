@@ -40,7 +40,7 @@ class BlockSweep {
   bool strip(std::span<LocalPair const> pairs, std::size_t first) {
     auto const particles = in_lanes(block_);
     strip_.read(particles, pairs, block_.size());
-    strip_.propose(inputs_, first, sweep_);
+    strip_.template propose<scheme>(inputs_, first, sweep_);
     strip_.template judge<scheme>();
     if constexpr (scheme == PairScheme::ems)
       strip_.test(inputs_, first, sweep_);

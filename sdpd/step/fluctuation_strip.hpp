@@ -116,14 +116,15 @@ class alignas(64) Strip {
   }
 
   /// Finds the changes of the relative velocities; the inputs are those from `first` on.
-  template <class Law>
+  template <PairScheme scheme, class Law>
   void propose(PairInputs const& inputs, std::size_t first, Sweep<Law> const& sweep) {
     for (std::size_t k = 0; k < count_; k += wide_count) {
       InputLanes<Law::across, WideFloats> const input(inputs, first + k);
       auto const there = step_of(sweep, input.weight, thermal(k, no_heat).rounded);
       auto const change = velocity_change(there, input, velocity(k));
       store(change.x, &change_x_[k]), store(change.y, &change_y_[k]), store(change.z, &change_z_[k]);
-      store(there.par.variance, &variance_par_[k]), store(there.perp.variance, &variance_perp_[k]);
+      if constexpr (scheme == PairScheme::ems)
+        store(there.par.variance, &variance_par_[k]), store(there.perp.variance, &variance_perp_[k]);
     }
   }
 
