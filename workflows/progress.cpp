@@ -53,11 +53,10 @@ void Progress::update(double done, std::string const& note) {
 
 std::string Progress::left(Clock::time_point now, double done) const {
   // A resumed run finds much of its work done: what was done since the first update tells its speed.
-  auto const [begin, done_before] = done > first_->done ? *first_ : Instant{start_, 0};
-  if (done <= done_before)
+  if (done <= first_->done)
     return "starting";
-  double const elapsed = std::chrono::duration<double>(now - begin).count();
-  return duration_text(elapsed * std::max(total_ - done, 0.0) / (done - done_before)) + " left";
+  double const elapsed = std::chrono::duration<double>(now - first_->time).count();
+  return duration_text(elapsed * std::max(total_ - done, 0.0) / (done - first_->done)) + " left";
 }
 
 void Progress::draw(Clock::time_point now, double done, std::string const& note) {

@@ -37,7 +37,7 @@ template <class F>
 struct ExpandedParticles {
   FluctuatingParticle* particles;
 
-  [[gnu::always_inline]] double* place(std::size_t local) const { return &particles[local].p.x; }
+  [[gnu::always_inline]] void* place(std::size_t local) const { return &particles[local]; }
   template <class LocalOf>
   [[gnu::always_inline]] ParticleLanes load(LocalOf const& local_of) const {
     return ParticleLanes(load_lines([&](std::size_t l) [[gnu::always_inline]] { return place(local_of(l)); }));
@@ -62,9 +62,7 @@ struct ConstantCapacityParticles {
   Row* rows;
   ConstantCaloric caloric;
 
-  [[gnu::always_inline]] double* place(std::size_t local) const {
-    return reinterpret_cast<double*>(&rows[local]);
-  }
+  [[gnu::always_inline]] void* place(std::size_t local) const { return &rows[local]; }
   template <class LocalOf>
   [[gnu::always_inline]] ConstantCapacityLanes load(LocalOf const& local_of) const {
     RowLanes const row = load_rows([&](std::size_t l) [[gnu::always_inline]] { return place(local_of(l)); });
@@ -83,7 +81,7 @@ struct ConstantCapacityParticles {
 struct GroupOutcome {
   unsigned made;  ///< the step was made
   unsigned exact; ///< it was not, and ExactPair has to make it: the caloric expansions do not reach so far
-  unsigned renew; ///< it was, and a caloric expansion is out of reach now
+  unsigned renew; ///< it was, and took a particle beyond its caloric expansion or to T <= 0
   unsigned test;  ///< it was not, and the spare bits do not decide the Metropolis test
   unsigned out_of_domain;
 };
@@ -94,7 +92,8 @@ struct PairsThermal {
   PairTemperatures<WideFloats> rounded;
 };
 
-/// A strip's pairs and what their steps are made of. Past the last pair there are phantoms.
+/// A strip's pairs and what their steps are made of. Lanes past the last pair hold phantoms or an earlier
+/// strip's pairs: nothing of them is used.
 template <class Particles>
 class alignas(64) Strip {
  public:
@@ -102,7 +101,7 @@ class alignas(64) Strip {
   void read(Particles const& particles, std::span<LocalPair const> pairs, std::size_t phantom) {
     count_ = pairs.size();
     std::copy(pairs.begin(), pairs.end(), pairs_.begin());
-    std::size_t const whole = (count_ + wide_count - 1) / wide_count * wide_count;
+    std::size_t const whole = (count_ + lane_count - 1) / lane_count * lane_count;
     std::fill(pairs_.begin() + static_cast<std::ptrdiff_t>(count_),
               pairs_.begin() + static_cast<std::ptrdiff_t>(whole),
               LocalPair{static_cast<std::uint16_t>(phantom), static_cast<std::uint16_t>(phantom + 1)});
@@ -189,7 +188,7 @@ class alignas(64) Strip {
       auto const rows =
           to_rows({half(change_x_), half(change_y_), half(change_z_), load<Lanes>(&heat_[k])});
       auto add = [&](std::size_t l) [[gnu::always_inline]] {
-        double *const a = particles.place(pairs_[k + l].i), *const b = particles.place(pairs_[k + l].j);
+        void *const a = particles.place(pairs_[k + l].i), *const b = particles.place(pairs_[k + l].j);
         store(load<Row>(a) + rows[l], a);
         store(load<Row>(b) + rows[l] * Row{-1, -1, -1, 1}, b);
       };
@@ -204,7 +203,8 @@ class alignas(64) Strip {
     }
   }
 
-  /// Calls f(number of the pair, its outcome, its bit) for the pairs of groups that are not done with.
+  /// Calls f(number of the pair, its group's outcome, its bit) for all pairs of the groups in which some are
+  /// not done with, until it returns false; returns whether it never did.
   template <class F>
   bool for_each_open(F const& f) const {
     for (std::size_t k = 0; k < count_; k += wide_count) {

@@ -6,8 +6,6 @@ namespace mesobridge::workflows {
 
 namespace {
 
-constexpr std::int64_t before_all = -1; ///< a step
-
 std::vector<Vec3> vectors(std::vector<double> const& flat, std::size_t count) {
   std::vector<Vec3> result(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -53,6 +51,21 @@ void refuse_other(Store const& store, std::filesystem::path const& file) {
 
 } // namespace
 
+namespace {
+
+/// Versions without marks left columns of different lengths when they were killed while they wrote.
+void refuse_ragged(Store const& store, std::filesystem::path const& file) {
+  auto const frames = store.shape("frames/step")[0];
+  for (std::string const group : {"frames", "blobs"})
+    for (auto const& name : store.list(group))
+      if (auto const rows = store.shape(group + "/" + name)[0]; rows != frames || rows == 0)
+        throw InputError(fmt::format("'{}': {}/{} has {} rows, frames/step {}: the run that wrote it was "
+                                     "broken off in the middle; make it again without --resume",
+                                     file.string(), group, name, rows, frames));
+}
+
+} // namespace
+
 BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance)
     : store_(file, Store::Mode::create, Store::Safety::marked) {
   write_provenance(store_, provenance);
@@ -79,16 +92,19 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
                                    "replaced",
                                    file.string(), was));
   }
-  return BlobFile(Store(file, Store::Mode::append, Store::Safety::marked));
+  BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked),
+                 std::numeric_limits<std::int64_t>::min());
+  if (auto const& store = blobs.store_; store.contains("frames/step")) {
+    refuse_ragged(store, file);
+    blobs.last_step_ = store.read_integers("frames/step").back();
+  }
+  return blobs;
 }
 
 void BlobFile::append(std::span<cg::BlobFrame const> frames) {
   for (auto const& frame : frames) {
-    if (!last_step_) // a resumed run makes the frames after its checkpoint once more
-      last_step_ = store_.contains("frames/step") ? store_.read_integers("frames/step").back() : before_all;
-    if (frame.step <= *last_step_)
+    if (frame.step <= last_step_)
       continue;
-    last_step_ = frame.step;
     auto const add = [&](char const* path, std::span<double const> row, Store::Shape const& shape = {}) {
       store_.append(path, row, shape);
     };
@@ -128,24 +144,18 @@ BlobData read_blobs(std::filesystem::path const& file) {
         fmt::format("'{}' holds no frame yet: the run has not reached its sampling", file.string()));
   std::size_t const frames = store.shape("frames/step")[0];
   std::size_t const blobs = frames * std::size_t(data.head.molecules);
-  auto const column = [&](char const* path, std::size_t count) {
-    auto values = store.read_doubles(path);
-    if (values.size() != count)
-      throw InputError(fmt::format("'{}': {} has {} numbers, but {} frames need {}", file.string(), path,
-                                   values.size(), frames, count));
-    return values;
-  };
+  refuse_ragged(store, file);
   data.steps = store.read_integers("frames/step");
-  data.times = column("frames/time", frames);
-  data.energies = column("frames/energy", frames);
-  data.pressures = column("frames/pressure", frames);
-  for (auto const& edge : vectors(column("frames/box", 3 * frames), frames))
+  data.times = store.read_doubles("frames/time");
+  data.energies = store.read_doubles("frames/energy");
+  data.pressures = store.read_doubles("frames/pressure");
+  for (auto const& edge : vectors(store.read_doubles("frames/box"), frames))
     data.boxes.push_back({edge});
-  data.R = vectors(column("blobs/R", 3 * blobs), blobs);
-  data.P = vectors(column("blobs/P", 3 * blobs), blobs);
-  data.U_kin = column("blobs/U_kin", blobs);
-  data.U_pot = column("blobs/U_pot", blobs);
-  data.Phi = column("blobs/Phi", blobs);
+  data.R = vectors(store.read_doubles("blobs/R"), blobs);
+  data.P = vectors(store.read_doubles("blobs/P"), blobs);
+  data.U_kin = store.read_doubles("blobs/U_kin");
+  data.U_pot = store.read_doubles("blobs/U_pot");
+  data.Phi = store.read_doubles("blobs/Phi");
   return data;
 }
 

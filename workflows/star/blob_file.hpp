@@ -2,7 +2,7 @@
 #include "cg/blobs.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/store/store.hpp"
-#include <optional>
+#include <limits>
 
 namespace mesobridge::workflows {
 
@@ -24,19 +24,21 @@ struct BlobFileHead {
 class BlobFile {
  public:
   BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance);
-  /// Opens the file of a run to be resumed. Throws InputError when its fingerprint is another.
+  /// Opens the file of a run to be resumed. Throws InputError when its fingerprint is another, or a version
+  /// without marks was killed while it wrote there.
   static BlobFile continue_file(std::filesystem::path const& file, std::string const& fingerprint);
 
-  /// Appends the frames that the file does not hold yet. From then on they survive the program's death; what
-  /// a death in between leaves of them is undone when the file is opened again.
+  /// Appends the frames, but for those that a resumed run makes once more after its checkpoint. From then on
+  /// they survive the program's death; what a death in between leaves of them is undone when the file is
+  /// opened again.
   void append(std::span<cg::BlobFrame const> frames);
   void close();
 
  private:
-  explicit BlobFile(Store store) : store_(std::move(store)) {}
+  BlobFile(Store store, std::int64_t last_step) : store_(std::move(store)), last_step_(last_step) {}
 
   Store store_;
-  std::optional<std::int64_t> last_step_; ///< of the frames in the file, once that is known
+  std::int64_t last_step_ = std::numeric_limits<std::int64_t>::min(); ///< that was there when it was opened
 };
 
 /// All blobs of a file, column by column: number frame * molecules + molecule.

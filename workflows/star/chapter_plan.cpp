@@ -37,7 +37,7 @@ ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
                       {.rho = 0.5, .molecules = 400, .sampling_steps = 300000}}},
                     {large,
                      {{.rho = 0.3, .molecules = 343, .sampling_steps = 350000},
-                      {.rho = 0.1, .molecules = 128, .sampling_steps = 1500000},
+                      {.rho = 0.1, .molecules = 216, .sampling_steps = 1000000},
                       {.rho = 0.2, .molecules = 216, .sampling_steps = 750000},
                       {.rho = 0.4, .molecules = 450, .sampling_steps = 350000},
                       {.rho = 0.5, .molecules = 560, .sampling_steps = 300000}}}};

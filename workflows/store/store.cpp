@@ -181,8 +181,8 @@ void Store::mark() {
   self.journal.emplace(self.file);
 }
 
-void Store::mend(std::filesystem::path const& file) {
-  FileLock const lock(file, FileLock::Kind::exclusive);
+void Store::mend(std::filesystem::path const& file, double patience) {
+  FileLock const lock(file, FileLock::Kind::exclusive, patience);
   UndoJournal::roll_back(file);
   UndoJournal::discard(file);
 }

@@ -105,6 +105,17 @@ TEST(Logarithm, IsRightToRoundOffInLanes) {
     EXPECT_NEAR(logarithm(broadcast(1 + d))[3] / std::log1p((1 + d) - 1), 1, 1e-15);
 }
 
+TEST(LogarithmOfFloats, IsRightToSinglePrecision) {
+  int checked = 0;
+  for (float x = 1.2e-38f; x < 1e38f; x *= 1.0173f, ++checked) {
+    double const exact = std::log(double{x});
+    EXPECT_NEAR(logarithm(x - WideFloats{})[5], exact, 1.5e-7 * std::max(1.0, std::abs(exact))) << x;
+  }
+  EXPECT_GT(checked, 10000);
+  for (float const d : {1e-2f, -1e-2f, 1e-5f, -1e-5f}) // near 1 the error must be small beside the result
+    EXPECT_NEAR(logarithm((1 + d) - WideFloats{})[3] / std::log(double{1 + d}), 1, 3e-7) << d;
+}
+
 TEST(ExpUpToOne, IsRightToSinglePrecision) {
   int checked = 0;
   for (double x = -70; x < 2; x += 0.0137, ++checked)

@@ -2,6 +2,7 @@
 #include "scratch_directory.hpp"
 #include "workflows/store/file_lock.hpp"
 #include "workflows/store/store.hpp"
+#include "workflows/store/undo_journal.hpp"
 #include "workflows/text_file.hpp"
 #include <chrono>
 #include <csignal>
@@ -22,10 +23,14 @@ class Holder {
   Holder(std::filesystem::path const& file, std::chrono::milliseconds how_long) : child_(fork()) {
     if (child_ != 0)
       return;
-    Store const store(file, Store::Mode::append);
-    write_text_file(file.string() + ".held", "");
-    std::this_thread::sleep_for(how_long);
-    _exit(0);
+    try {
+      Store store(file, Store::Mode::append, Store::Safety::marked);
+      write_text_file(file.string() + ".held", "");
+      std::this_thread::sleep_for(how_long);
+      _exit(0);
+    } catch (...) { // nothing of this may reach the other tests
+      _exit(1);
+    }
   }
   ~Holder() {
     kill(child_, SIGKILL);
@@ -51,7 +56,7 @@ std::filesystem::path small_store(ScratchDirectory const& scratch) {
 TEST(FileLock, ARunWaitsForTheRanksOfTheOneBeforeToEnd) {
   ScratchDirectory const scratch;
   auto const file = small_store(scratch);
-  Holder const holder(file, 500ms);
+  Holder const holder(file, 2s);
   holder.wait_until_held(file);
   EXPECT_THROW(FileLock(file, FileLock::Kind::exclusive, 0.01), EnvironmentError) << "nobody holds it";
   Store const store(file, Store::Mode::append);
@@ -69,6 +74,16 @@ TEST(FileLock, SaysThatSomebodyElseIsAtWork) {
   } catch (EnvironmentError const& error) {
     EXPECT_NE(std::string(error.what()).find("in use by another process"), std::string::npos) << error.what();
   }
+}
+
+TEST(FileLock, WhatALiveWriterHasNotYetMarkedIsLeftAlone) {
+  ScratchDirectory const scratch;
+  auto const file = small_store(scratch);
+  Holder const holder(file, 60s);
+  holder.wait_until_held(file);
+  ASSERT_TRUE(UndoJournal::exists(file));
+  EXPECT_THROW(Store::mend(file, 0.1), EnvironmentError);
+  EXPECT_TRUE(UndoJournal::exists(file));
 }
 
 TEST(FileLock, ReadersDoNotDisturbEachOther) {

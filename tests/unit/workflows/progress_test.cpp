@@ -24,6 +24,7 @@ struct ProgressTest : testing::Test {
 
 TEST_F(ProgressTest, LinesComeEveryTenSeconds) {
   auto progress = start(Progress::Style::lines);
+  progress.update(0);
   for (int second = 1; second <= 25; ++second) {
     watch.time += 1s;
     progress.update(2.0 * second, "state 3 of 60");
@@ -38,6 +39,7 @@ TEST_F(ProgressTest, LinesComeEveryTenSeconds) {
 TEST_F(ProgressTest, TheBarIsRedrawnInPlaceAndRemoved) {
   {
     auto progress = start(Progress::Style::bar);
+    progress.update(0);
     watch.time += 50s;
     progress.update(50);
     progress.update(51); // too soon
@@ -52,6 +54,11 @@ TEST_F(ProgressTest, AResumedRunIsNotTakenForAFastOne) {
   watch.time += 10s;
   progress.update(160);
   EXPECT_EQ(out.str(), "sampling: 80 % · 40 s left\n");
+  out.str("");
+  auto bar = start(Progress::Style::bar);
+  watch.time += 1s;
+  bar.update(150);
+  EXPECT_TRUE(out.str().ends_with(" 75 % · starting")) << out.str();
 }
 
 TEST_F(ProgressTest, QuietSaysNothing) {

@@ -181,6 +181,18 @@ TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
   EXPECT_NEAR(data.Phi[1], wca / 2, 1e-9);
 }
 
+// Two runs' dumps one after the other: steps begin anew.
+TEST(StarCommands, StepsOfAUsersTrajectoryMayRepeat) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "a.lammpstrj", std::string(dumbbells) + dumbbells);
+  write_text_file(scratch / "map.toml", dumbbell_mapping);
+  auto const result = program({"cg", "blobs", (scratch / "a.lammpstrj").string(), "--mapping",
+                               (scratch / "map.toml").string(), "-o", scratch.path().string(), "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output)["frames"], 2);
+  EXPECT_EQ(read_blobs(scratch / "blobs.h5").frames(), 2u);
+}
+
 TEST(StarCommands, AWorkflowOfOnesOwnIsReported) {
   ScratchDirectory const scratch;
   auto words = std::vector<std::string>{"workflow", "star-polymers"};

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/h5md.hpp"
+#include "workflows/star/blob_file.hpp"
 #include "workflows/store/undo_journal.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/vtkhdf.hpp"
@@ -140,6 +141,45 @@ struct VtkHdf {
                                     "VTKHDF/Steps/PointDataOffsets/T"};
 };
 
+/// Blobs are handed over in stretches, and each stretch is marked.
+class BlobWriter {
+ public:
+  explicit BlobWriter(BlobFile file) : file_(std::move(file)) {}
+  static std::int64_t last_step() { return -1; } // the file itself knows what it has
+  void hold(cg::BlobFrame frame) { held_.push_back(std::move(frame)); }
+  void mark() {
+    file_.append(held_);
+    held_.clear();
+  }
+  void close() {
+    mark();
+    file_.close();
+  }
+
+ private:
+  BlobFile file_;
+  std::vector<cg::BlobFrame> held_;
+};
+void append(BlobWriter& writer, std::int64_t number) {
+  auto const of = frame(number);
+  cg::BlobFrame blobs{.step = of.step, .time = of.time, .box = of.box, .blobs = {}};
+  for (std::size_t i = 0; i < particles; ++i)
+    blobs.blobs.push_back({.R = of.positions[i], .P = of.velocities[i], .U_kin = of.velocities[i].x});
+  writer.hold(std::move(blobs));
+}
+struct Blobs {
+  static BlobWriter create(std::filesystem::path const& file) {
+    return BlobWriter(BlobFile(file, {.kind = "melt", .fingerprint = "f", .molecules = particles}, {}));
+  }
+  static BlobWriter resume(std::filesystem::path const& file) {
+    return BlobWriter(BlobFile::continue_file(file, "f"));
+  }
+  static constexpr std::array datasets{"blobs/R",     "blobs/P",     "blobs/F",   "blobs/U_kin",
+                                       "blobs/U_pot", "blobs/Phi",   "frames/time", "frames/box",
+                                       "frames/energy", "frames/pressure"};
+  static constexpr std::array steps{"frames/step"};
+};
+
 template <class Format>
 std::pair<std::vector<std::vector<double>>, std::vector<std::vector<std::int64_t>>>
 content(std::filesystem::path const& file) {
@@ -174,7 +214,7 @@ void write_frames(std::filesystem::path const& file) {
 
 template <class Format>
 class MarkedFile : public ::testing::Test {};
-using Formats = ::testing::Types<H5md, VtkHdf>;
+using Formats = ::testing::Types<H5md, VtkHdf, Blobs>;
 TYPED_TEST_SUITE(MarkedFile, Formats);
 
 TYPED_TEST(MarkedFile, IsWholeAfterADeathBeforeAnyOfItsWrites) {
