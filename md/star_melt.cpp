@@ -19,7 +19,7 @@ constexpr double chain_stiffness = 1.7, hardly_ever = 2.5;
 
 /// A width that a star of a dense melt does not exceed in practice: its two longest arms straight, or, when they
 /// are long, a chain that is stretched as far as chance allows. (6-12 stars at rho = 0.5 are 8.1 +- 1.3 wide; at
-/// rho = 0.1 one in a million is 23 wide, which ends a run in a box of 45.)
+/// rho = 0.1 now and then one is 23 wide, which ends a run in a box of 45.)
 double widest(StarPolymer const& star) {
   double const straight = 2 * (star.centre_length + (star.beads - 1) * star.arm_length);
   return std::min(straight, hardly_ever * std::sqrt(chain_stiffness * 2 * star.beads) * star.arm_length);
