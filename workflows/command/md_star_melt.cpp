@@ -1,5 +1,7 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/lj/preset.hpp"
+#include "workflows/star/chapter.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/sample_melt.hpp"
 #include "workflows/text_file.hpp"
@@ -10,11 +12,32 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string star = "6-3";
+  std::string star = "6-3", preset;
   md::StarMeltSettings settings;
   bool resume = false;
   bool started_by_ourselves = false;
 };
+
+/// The preset's first melt, where the command line says nothing else.
+void fill_in(Options& options, CLI::App const& app) {
+  if (options.preset.empty())
+    return;
+  auto const plan = chapter_plan(preset_of(options.preset), 1);
+  auto const& [star, melts] = plan.molecules.front();
+  auto const usual = melt_settings(plan, star, melts.front());
+  auto const fill = [&](char const* option, auto& value, auto const& of_preset) {
+    if (app.count(option) == 0)
+      value = of_preset;
+  };
+  auto& s = options.settings;
+  fill("--star", options.star, star.name());
+  fill("--molecules", s.molecules, usual.molecules);
+  fill("--rho", s.rho, usual.rho);
+  fill("--dt", s.dt, usual.dt);
+  fill("--equilibration-steps", s.equilibration_steps, usual.equilibration_steps);
+  fill("--sampling-steps", s.sampling_steps, usual.sampling_steps);
+  fill("--sample-every", s.sample_every, usual.sample_every);
+}
 
 Result star_melt(Options const& options, Context const& context) {
   MeltJob job{.settings = options.settings, .resume = options.resume};
@@ -37,10 +60,13 @@ Command md_star_melt_command() {
   return {
       .name = "md star-melt",
       .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
-      .example = "mesobridge md star-melt --star 6-3 --rho 0.3 -o out/melt",
+      .example = "mesobridge md star-melt --preset quick -o out/melt",
       .declare = [](CLI::App& app) -> Command::Action {
         auto options = std::make_shared<Options>();
         auto& s = options->settings;
+        app.add_option("--preset", options->preset,
+                       "The 6-3 melt of chapter 3: quick (minutes), standard or paper")
+            ->check(CLI::IsMember({"quick", "standard", "paper"}));
         app.add_option("--star", options->star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
         app.add_option("--molecules", s.molecules, "Number of stars (default 1000)");
         app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
@@ -55,7 +81,10 @@ Command md_star_melt_command() {
         app.add_flag("--resume", options->resume, "Go on from the checkpoint in the output folder");
         app.add_flag("--started-by-ourselves", options->started_by_ourselves)
             ->group(""); // for run_on_ranks only
-        return [options](Context& context) { return star_melt(*options, context); };
+        return [options, &app](Context& context) {
+          fill_in(*options, app);
+          return star_melt(*options, context);
+        };
       }};
 }
 

@@ -66,6 +66,20 @@ TEST(StarCommands, BlobsDoNotDependOnTheNumberOfRanks) {
   }
 }
 
+// What is told beside a preset counts; the rest is the preset's.
+TEST(StarCommands, APresetFillsInWhatIsNotSaid) {
+  ScratchDirectory const scratch;
+  auto words = short_melt(scratch / "melt", "1", "40");
+  words.insert(words.end(), {"--preset", "standard"});
+  auto const result = program(words);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  EXPECT_EQ(json["star"], "6-3");
+  EXPECT_EQ(json["molecules"], 27);
+  EXPECT_EQ(json["rho"], 0.02);
+  EXPECT_NEAR(json["dt"].get<double>(), 0.002, 1e-15);
+}
+
 TEST(StarCommands, AShortRunIsToldThatItIsTooShort) {
   ScratchDirectory const scratch;
   ASSERT_EQ(program(short_melt(scratch / "melt", "1", "40")).status, 0);
