@@ -104,7 +104,7 @@ TEST(Chapter, StandardHasFiveDensitiesOfThreeMoleculesWithinItsBudget) {
   }
   EXPECT_EQ(melts, 15);
   // Two cores make about 2.5e7 atom-steps a second.
-  EXPECT_LT(atom_steps / 2.5e7, 2 * 3600.0);
+  EXPECT_LT(atom_steps / 2.5e7, 2.5 * 3600);
 }
 
 } // namespace
