@@ -127,7 +127,8 @@ void signal_ranks(pid_t mpirun, int signal) {
 /// Waits for mpirun, handing on interrupts; returns its wait status and whether there were any.
 std::pair<int, bool> wait_for(pid_t mpirun, HeldSignals const& signals) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds grace{10};
+  // Who asks twice at once (timeout(1) signals a program and its group) is not impatient.
+  constexpr std::chrono::seconds grace{10}, same_wish{1};
   std::optional<Clock::time_point> interrupted;
   int status = 0;
   for (pid_t ended = 0; (ended = waitpid(mpirun, &status, WNOHANG)) != mpirun;) {
@@ -138,7 +139,7 @@ std::pair<int, bool> wait_for(pid_t mpirun, HeldSignals const& signals) {
     if (asked_to_stop && !interrupted) {
       interrupted = Clock::now();
       signal_ranks(mpirun, signal);
-    } else if (interrupted && (asked_to_stop || Clock::now() - *interrupted > grace)) {
+    } else if (interrupted && Clock::now() - *interrupted > (asked_to_stop ? same_wish : grace)) {
       kill(mpirun, SIGTERM);
       interrupted = Clock::time_point::max(); // said once
     }
