@@ -92,8 +92,7 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
                                    "replaced",
                                    file.string(), was));
   }
-  BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked),
-                 std::numeric_limits<std::int64_t>::min());
+  BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked));
   if (auto const& store = blobs.store_; store.contains("frames/step")) {
     refuse_ragged(store, file);
     blobs.last_step_ = store.read_integers("frames/step").back();

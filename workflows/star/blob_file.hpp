@@ -35,7 +35,7 @@ class BlobFile {
   void close();
 
  private:
-  BlobFile(Store store, std::int64_t last_step) : store_(std::move(store)), last_step_(last_step) {}
+  explicit BlobFile(Store store) : store_(std::move(store)) {}
 
   Store store_;
   std::int64_t last_step_ = std::numeric_limits<std::int64_t>::min(); ///< that was there when it was opened
