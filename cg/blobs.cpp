@@ -7,18 +7,25 @@ namespace mesobridge::cg {
 namespace {
 
 /// What travels for each blob.
-constexpr std::size_t numbers_of_blob = 12;
+constexpr std::size_t numbers_of_blob = 13;
 
 template <class Value>
 std::span<Value const> part(std::vector<Value> const& values, std::size_t first, std::size_t count) {
   return values.empty() ? std::span<Value const>{} : std::span(values).subspan(first, count);
 }
 
+double longest_cutoff(MoleculeModel const& model) {
+  double longest = 0;
+  for (auto const& law : model.pairs)
+    longest = std::max(longest, law.cutoff());
+  return longest;
+}
+
 } // namespace
 
 BlobMaker::BlobMaker(MoleculeModel model)
-    : model_(std::move(model)), steps_(spanning_steps(model_)), x_(model_.masses.size()), y_(x_), z_(x_),
-      mass_(model_.mass()) {}
+    : model_(std::move(model)), steps_(spanning_steps(model_)), whole_(joined_by_bonds(model_)),
+      cutoff_(longest_cutoff(model_)), x_(model_.masses.size()), y_(x_), z_(x_), mass_(model_.mass()) {}
 
 void BlobMaker::join(std::span<Vec3 const> q, Box const& box) {
   x_[0] = q[0].x, y_[0] = q[0].y, z_[0] = q[0].z;
@@ -29,18 +36,23 @@ void BlobMaker::join(std::span<Vec3 const> q, Box const& box) {
   }
 }
 
-void BlobMaker::refuse_wide(Box const& box) const {
-  auto const check_axis = [](std::vector<double> const& values, double edge, char axis) {
+double BlobMaker::width_in(Box const& box) const {
+  auto const along = [&](std::vector<double> const& values, double edge, char axis) {
     auto const [low, high] = std::minmax_element(values.begin(), values.end());
-    if (!(*high - *low <= edge / 2))
+    double const width = *high - *low;
+    if (!(width < edge - cutoff_))
       throw PhysicsError(
-          fmt::format("a molecule is {:.4g} wide along {}, more than half the box edge {:.4g}: "
-                      "it would meet its own image. Take a larger box (more molecules)",
-                      *high - *low, axis, edge));
+          fmt::format("a molecule is {:.4g} wide along {}: in a box with the edge {:.4g} it meets "
+                      "its own image. Take a larger box (more molecules)",
+                      width, axis, edge));
+    if (!whole_ && !(width <= edge / 2))
+      throw PhysicsError(fmt::format(
+          "a molecule that bonds do not join is {:.4g} wide along {}, more than half the box edge {:.4g}: "
+          "nearest images do not tell where its parts are. Take a larger box (more molecules)",
+          width, axis, edge));
+    return width;
   };
-  check_axis(x_, box.edge.x, 'x');
-  check_axis(y_, box.edge.y, 'y');
-  check_axis(z_, box.edge.z, 'z');
+  return std::max({along(x_, box.edge.x, 'x'), along(y_, box.edge.y, 'y'), along(z_, box.edge.z, 'z')});
 }
 
 double BlobMaker::energy_inside() const {
@@ -66,8 +78,8 @@ double BlobMaker::energy_inside() const {
 Blob BlobMaker::blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span<Vec3 const> f,
                      std::span<double const> potential, Box const& box) {
   join(q, box);
-  refuse_wide(box);
   Blob blob;
+  blob.width = width_in(box);
   Vec3 moment;
   for (std::size_t i = 0; i < q.size(); ++i) {
     double const m = model_.masses[i];
@@ -97,13 +109,27 @@ std::vector<Blob> BlobMaker::blobs(md::MoleculeFrame const& frame) {
   return result;
 }
 
+void refuse_large_molecules(BlobFrame const& frame) {
+  if (frame.blobs.empty())
+    return;
+  double sum = 0;
+  for (auto const& blob : frame.blobs)
+    sum += blob.width;
+  double const edge = std::min({frame.box.edge.x, frame.box.edge.y, frame.box.edge.z});
+  if (double const mean = sum / double(frame.blobs.size()); mean > edge / 2)
+    throw PhysicsError(
+        fmt::format("the molecules are {:.4g} wide on average, more than half the box edge {:.4g}. "
+                    "Take a larger box (more molecules)",
+                    mean, edge));
+}
+
 BlobFrame gather_blobs(md::MpiWorld const& world, md::MoleculeFrame const& frame,
                        std::span<Blob const> of_this_rank) {
   std::vector<double> numbers;
   numbers.reserve(of_this_rank.size() * numbers_of_blob);
   for (auto const& b : of_this_rank)
-    numbers.insert(numbers.end(),
-                   {b.R.x, b.R.y, b.R.z, b.P.x, b.P.y, b.P.z, b.F.x, b.F.y, b.F.z, b.U_kin, b.U_pot, b.Phi});
+    numbers.insert(numbers.end(), {b.R.x, b.R.y, b.R.z, b.P.x, b.P.y, b.P.z, b.F.x, b.F.y, b.F.z, b.U_kin,
+                                   b.U_pot, b.Phi, b.width});
   auto const all = world.gather_at_root(numbers);
   BlobFrame result{.step = frame.step,
                    .time = frame.time,
@@ -117,7 +143,9 @@ BlobFrame gather_blobs(md::MpiWorld const& world, md::MoleculeFrame const& frame
                             .F = {r[6], r[7], r[8]},
                             .U_kin = r[9],
                             .U_pot = r[10],
-                            .Phi = r[11]});
+                            .Phi = r[11],
+                            .width = r[12]});
+  refuse_large_molecules(result);
   return result;
 }
 

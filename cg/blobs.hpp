@@ -13,6 +13,7 @@ struct Blob {
   double U_kin = 0; ///< kinetic energy relative to the centre of mass
   double U_pot = 0; ///< potential energy inside the molecule: pairs and bonds
   double Phi = 0;   ///< half of the potential energy with the other molecules
+  double width = 0; ///< of the narrowest box around it
 
   double U() const { return U_kin + U_pot; }
   double internal_energy() const { return U() + Phi; }
@@ -35,8 +36,9 @@ class BlobMaker {
  public:
   explicit BlobMaker(MoleculeModel model);
 
-  /// One molecule; the spans have one entry an atom. Throws PhysicsError when it is wider than half the box,
-  /// so that nearest images say nothing.
+  /// One molecule; the spans have one entry an atom. Throws PhysicsError when it is so wide that its atoms
+  /// are within the cut-off of its own images or, if bonds do not join it whole, that nearest images do not
+  /// tell where its parts are.
   Blob blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span<Vec3 const> f,
             std::span<double const> potential, Box const& box);
 
@@ -47,16 +49,22 @@ class BlobMaker {
 
  private:
   void join(std::span<Vec3 const> q, Box const& box);
-  void refuse_wide(Box const& box) const;
+  double width_in(Box const& box) const;
   double energy_inside() const;
 
   MoleculeModel model_;
   std::vector<std::pair<int, int>> steps_;
+  bool whole_;                    ///< joined by bonds
+  double cutoff_;                 ///< the longest of the pair laws
   std::vector<double> x_, y_, z_; ///< of one molecule, joined
   double mass_;
 };
 
-/// The blobs of all ranks, on rank 0; no blobs elsewhere. All ranks must call it.
+/// Throws PhysicsError when the molecules are wider than half the box on average: such a box is no melt.
+void refuse_large_molecules(BlobFrame const& frame);
+
+/// The blobs of all ranks, on rank 0; no blobs elsewhere. All ranks must call it. Throws as
+/// refuse_large_molecules.
 BlobFrame gather_blobs(md::MpiWorld const& world, md::MoleculeFrame const& frame,
                        std::span<Blob const> of_this_rank);
 

@@ -1,4 +1,5 @@
 #include "cg/molecule_model.hpp"
+#include <algorithm>
 #include <numeric>
 #include <queue>
 
@@ -44,6 +45,15 @@ std::vector<std::pair<int, int>> spanning_steps(MoleculeModel const& model) {
         }
   }
   return steps;
+}
+
+bool joined_by_bonds(MoleculeModel const& model) {
+  auto const steps = spanning_steps(model);
+  return std::ranges::all_of(steps, [&](auto const& step) {
+    return std::ranges::any_of(model.bonds, [&](auto const& bond) {
+      return std::minmax(bond.a, bond.b) == std::minmax(step.first, step.second);
+    });
+  });
 }
 
 } // namespace mesobridge::cg

@@ -58,4 +58,7 @@ MoleculeModel model_of(md::StarPolymer const& star);
 /// atom 0 itself. Each step goes from an atom that was reached before.
 std::vector<std::pair<int, int>> spanning_steps(MoleculeModel const& model);
 
+/// Whether bonds lead from every atom to every other.
+bool joined_by_bonds(MoleculeModel const& model);
+
 } // namespace mesobridge::cg

@@ -13,16 +13,18 @@ namespace {
 constexpr double energy_tolerance = 0.01;
 /// Steps between two looks at whether the user wants to stop.
 constexpr std::int64_t piece = 100;
-/// The ends of a chain of n bonds of length l are about sqrt(c n) l apart, and hardly ever this many times as
-/// far.
-constexpr double chain_stiffness = 1.7, hardly_ever = 2.5;
+/// The ends of a chain of n bonds of length l are about sqrt(c n) l apart; a star of such arms is hardly ever
+/// wider than so many times that, most of the time narrower than so many times. (6-12 stars at rho = 0.5 are
+/// 8.1 +- 1.3 wide, which is 1.1 times; at rho = 0.1 one in a million is 23 wide, 3.1 times.)
+constexpr double chain_stiffness = 1.7, hardly_ever = 3.5, usually = 1.4;
 
-/// A width that a star of a dense melt does not exceed in practice: its two longest arms straight, or, when they
-/// are long, a chain that is stretched as far as chance allows. (6-12 stars at rho = 0.5 are 8.1 +- 1.3 wide; at
-/// rho = 0.1 now and then one is 23 wide, which ends a run in a box of 45.)
-double widest(StarPolymer const& star) {
+/// Edge of the smallest box for such stars: usually half of it holds one, and hardly ever does one reach its
+/// own image.
+double smallest_edge(StarPolymer const& star) {
   double const straight = 2 * (star.centre_length + (star.beads - 1) * star.arm_length);
-  return std::min(straight, hardly_ever * std::sqrt(chain_stiffness * 2 * star.beads) * star.arm_length);
+  double const chain = std::sqrt(chain_stiffness * 2 * star.beads) * star.arm_length;
+  return std::max(2 * std::min(straight, usually * chain),
+                  std::min(straight, hardly_ever * chain) + wca_cutoff());
 }
 
 double lattice_spacing(StarMeltSettings const& settings) {
@@ -176,10 +178,11 @@ void check(StarMeltSettings const& settings) {
           "steps between checkpoints", settings.checkpoint_every,
           "must be a multiple of the steps between samples");
   double const edge = std::cbrt(beads_of(settings) / settings.rho);
-  require(edge / 2 > widest(settings.star), "molecules", settings.molecules,
-          fmt::format("{} stars, up to {:.3g} wide or more, do not fit into half the box of edge {:.4g}: take more "
-                      "molecules",
-                      settings.star.name(), widest(settings.star), edge));
+  require(
+      edge > smallest_edge(settings.star), "molecules", settings.molecules,
+      fmt::format("the box has the edge {:.4g}; for {} stars it must be over {:.4g}, so that half the box "
+                  "holds one and none meets its own image: take more molecules",
+                  edge, settings.star.name(), smallest_edge(settings.star)));
 }
 
 std::vector<MeltStretch> plan(StarMeltSettings const& settings) {

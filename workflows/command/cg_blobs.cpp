@@ -35,6 +35,7 @@ cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame) {
                                    "value. Is the trajectory's start overlapping, or the mapping another "
                                    "molecule's?",
                                    m + 1, frame.step));
+  cg::refuse_large_molecules(result);
   result.energy = cg::total_energy(result.blobs, maker.model().mass());
   return result;
 }

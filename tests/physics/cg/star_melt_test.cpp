@@ -2,6 +2,7 @@
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
 #include "tests/unit/md/scratch_folder.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
@@ -51,6 +52,45 @@ class StarMeltTest : public ::testing::Test {
     return stop_at ? safe : frames;
   }
 
+  /// The blobs' energies against that of LAMMPS in every frame, and those of the last frame against sums over
+  /// all pairs of atoms.
+  void expect_sums(md::StarMeltSettings const& settings, std::vector<BlobFrame> const& frames) const {
+    auto const atoms = std::size_t(settings.star.atoms()), molecules = std::size_t(settings.molecules);
+    for (auto const& frame : frames) {
+      ASSERT_EQ(frame.blobs.size(), molecules);
+      EXPECT_NEAR(total_energy(frame.blobs, double(atoms)), frame.energy, 1e-9 * std::abs(frame.energy));
+      Vec3 momentum;
+      for (auto const& blob : frame.blobs)
+        momentum += blob.P;
+      EXPECT_LT(norm(momentum), 1e-10);
+    }
+    auto const& blobs = frames.back().blobs;
+    int interactions = 0;
+    for (std::size_t m = 0; m < molecules; ++m) {
+      double inside = 0, outside = 0;
+      Vec3 force;
+      for (std::size_t i = m * atoms; i < (m + 1) * atoms; ++i)
+        for (std::size_t j = 0; j < last_.q.size(); ++j) {
+          Vec3 const r = last_.box.minimum_image(last_.q[i] - last_.q[j]);
+          bool const same = j / atoms == m;
+          if (i == j || norm2(r) > 1.3)
+            continue;
+          (same ? inside : outside) += wca(norm2(r)) / 2;
+          if (!same)
+            force += wca_force(r), ++interactions;
+        }
+      for (auto const& bond : settings.star.bonds())
+        inside += 10 * std::pow(norm(last_.box.minimum_image(last_.q[m * atoms + std::size_t(bond.a)] -
+                                                             last_.q[m * atoms + std::size_t(bond.b)])) -
+                                    bond.l,
+                                2);
+      EXPECT_NEAR(blobs[m].U_pot, inside, 1e-9);
+      EXPECT_NEAR(blobs[m].Phi, outside, 1e-9);
+      EXPECT_LT(norm(blobs[m].F - force), 1e-8) << "only other molecules push a centre of mass";
+    }
+    EXPECT_GT(interactions, 50) << "the molecules touch";
+  }
+
   md::MpiWorld world_;
   md::test::ScratchFolder folder_;
   md::MoleculeFrame last_;
@@ -61,43 +101,21 @@ TEST_F(StarMeltTest, BlobsAddUpAndAgreeWithAnIndependentSum) {
   auto const frames = run(settings, false);
   ASSERT_EQ(frames.size(), 6u);
   for (auto const& frame : frames) {
-    ASSERT_EQ(frame.blobs.size(), 64u);
-    EXPECT_NEAR(total_energy(frame.blobs, 19), frame.energy, 1e-9 * std::abs(frame.energy));
     EXPECT_NEAR(frame.energy, frames[0].energy, 1e-4 * std::abs(frame.energy)) << "NVE";
     EXPECT_NEAR(frame.box.volume(), 64 * 19 / 0.2, 1e-6);
-    Vec3 momentum;
-    for (auto const& blob : frame.blobs)
-      momentum += blob.P;
-    EXPECT_LT(norm(momentum), 1e-10);
   }
-  // Every pair of the last frame by hand.
+  expect_sums(settings, frames);
+}
+
+TEST_F(StarMeltTest, BlobsAddUpWhenSomeAreWiderThanHalfTheBox) {
+  auto settings = small_melt(folder_.path());
+  settings.star = {.arms = 2, .beads = 4};
+  settings.rho = 0.34, settings.T = 5;
+  auto const frames = run(settings, false);
   auto const& blobs = frames.back().blobs;
-  auto const bonds = settings.star.bonds();
-  int interactions = 0, molecules = 0;
-  for (std::size_t m = 0; m < 64; ++m, ++molecules) {
-    double inside = 0, outside = 0;
-    Vec3 force;
-    for (std::size_t i = m * 19; i < (m + 1) * 19; ++i)
-      for (std::size_t j = 0; j < last_.q.size(); ++j) {
-        Vec3 const r = last_.box.minimum_image(last_.q[i] - last_.q[j]);
-        bool const same = j / 19 == m;
-        if (i == j || norm2(r) > 1.3)
-          continue;
-        (same ? inside : outside) += wca(norm2(r)) / 2;
-        if (!same)
-          force += wca_force(r), ++interactions;
-      }
-    for (auto const& bond : bonds)
-      inside += 10 * std::pow(norm(last_.box.minimum_image(last_.q[m * 19 + std::size_t(bond.a)] -
-                                                           last_.q[m * 19 + std::size_t(bond.b)])) -
-                                  bond.l,
-                              2);
-    EXPECT_NEAR(blobs[m].U_pot, inside, 1e-9);
-    EXPECT_NEAR(blobs[m].Phi, outside, 1e-9);
-    EXPECT_LT(norm(blobs[m].F - force), 1e-8) << "only other molecules push a centre of mass";
-  }
-  EXPECT_EQ(molecules, 64);
-  EXPECT_GT(interactions, 50) << "the molecules touch";
+  double const half = frames.back().box.edge.x / 2;
+  EXPECT_GT(std::ranges::count_if(blobs, [&](auto const& blob) { return blob.width > half; }), 0);
+  expect_sums(settings, frames);
 }
 
 TEST_F(StarMeltTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
@@ -147,7 +165,7 @@ TEST_F(StarMeltTest, StarsThatWouldOverlapAtTheStartAreRefused) {
   }
 }
 
-TEST(Blobs, AMoleculeAcrossTheBordersIsJoinedAndAWideOneRefused) {
+TEST(Blobs, AMoleculeAcrossTheBordersIsJoined) {
   BlobMaker maker(model_of({.arms = 2, .beads = 1}));
   Box const box{{10, 10, 10}};
   std::vector<Vec3> const v(3), f(3), inside{{5, 5, 5}, {6.5, 5, 5}, {3.5, 5, 5}};
@@ -158,13 +176,30 @@ TEST(Blobs, AMoleculeAcrossTheBordersIsJoinedAndAWideOneRefused) {
   EXPECT_NEAR(here.U_pot, there.U_pot, 1e-12);
   EXPECT_NEAR(here.U_pot, 2 * 10 * 0.115 * 0.115, 1e-12);
   EXPECT_LT(norm(box.minimum_image(there.R - here.R - Vec3{5, 5, 5})), 1e-12);
-  std::vector<Vec3> const wide{{5, 5, 5}, {8, 5, 5}, {2, 5, 5}};
-  try {
-    maker.blob(wide, v, f, {}, box);
-    FAIL() << "accepted";
-  } catch (PhysicsError const& error) {
-    EXPECT_NE(std::string(error.what()).find("more molecules"), std::string::npos) << error.what();
-  }
+  EXPECT_NEAR(there.width, 3, 1e-12);
+}
+
+TEST(Blobs, MoleculesThatTheBoxCannotHoldAreRefused) {
+  auto model = model_of({.arms = 2, .beads = 1});
+  Box const box{{10, 10, 10}};
+  auto const refusal = [&](double arm) {
+    std::vector<Vec3> const v(3), f(3), q{{5, 5, 5}, {5 + arm, 5, 5}, {5 - arm, 5, 5}};
+    try {
+      BlobFrame frame{.box = box, .blobs = {BlobMaker(model).blob(q, v, f, {}, box)}};
+      frame.blobs.push_back({.width = 3});
+      refuse_large_molecules(frame);
+    } catch (PhysicsError const& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(3.4), "") << "one of two";
+  EXPECT_NE(refusal(3.6).find("5.1 wide on average, more than half the box edge 10"), std::string::npos);
+  EXPECT_NE(refusal(4.43).find("on average"), std::string::npos) << "the WCA potential reaches 1.122";
+  EXPECT_NE(refusal(4.45).find("its own image. Take a larger box (more molecules)"), std::string::npos);
+  model.bonds.pop_back();
+  EXPECT_EQ(refusal(2.4), "");
+  EXPECT_NE(refusal(2.6).find("bonds do not join"), std::string::npos);
 }
 
 } // namespace

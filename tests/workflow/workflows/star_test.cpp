@@ -215,7 +215,8 @@ TEST(StarCommands, AWorkflowOfOnesOwnIsReported) {
                              "--ranks", "1", "-o", scratch.path().string(), "--json", "--quiet"});
   auto const result = program(words);
   ASSERT_EQ(result.status, 0) << result.errors;
-  auto const json = Json::parse(result.output), summary = Json::parse(read_text_file(scratch / "summary.json"));
+  auto const json = Json::parse(result.output),
+             summary = Json::parse(read_text_file(scratch / "summary.json"));
   ASSERT_EQ(summary["melts"].size(), 1u);
   EXPECT_EQ(summary["star"], "4-1");
   EXPECT_EQ(summary["rho"], 0.5);
@@ -277,7 +278,7 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
       {{"md", "star-vacuum", "--dt", "0.02", "--T", "10", "--molecules", "27", "--ranks", "1"},
        3,
        "A shorter --dt"},
-      {{"md", "star-melt", "--star", "6-12", "--molecules", "100"}, 2, "half the box"},
+      {{"md", "star-melt", "--star", "6-12", "--molecules", "70"}, 2, "half the box"},
       {{"cg", "blobs", (scratch / "inside.lammpstrj").string(), "--mapping", (scratch / "map.toml").string()},
        2,
        "on top of others"},
