@@ -9,9 +9,10 @@ Gaussians gaussians_and_bits_reference(NoiseSource const& source, std::uint32_t 
       Philox4x32::generate({id_a, id_b, source.step_low, source.step_high_and_stream}, source.key);
   auto radius = [](std::uint32_t b) { return std::sqrt(-2 * std::log(((b >> 1) + 0.5) / 2147483648.0)); };
   auto angle = [](std::uint32_t b) {
-    return std::numbers::pi * static_cast<std::int32_t>(b & ~spare_of_turn) / 2147483648.0;
+    return std::numbers::pi * (b & ~(sign_bit | spare_of_turn)) / 2147483648.0;
   };
-  return {.G = {radius(word[0]) * std::cos(angle(word[1])), radius(word[0]) * std::sin(angle(word[1])),
+  double const side = word[1] & sign_bit ? -1 : 1;
+  return {.G = {radius(word[0]) * std::cos(angle(word[1])), side * radius(word[0]) * std::sin(angle(word[1])),
                 radius(word[2]) * std::cos(angle(word[3]))},
           .bits = (word[1] & spare_of_turn) << 8 | (word[3] & spare_of_turn)};
 }

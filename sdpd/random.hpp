@@ -4,8 +4,8 @@
 
 namespace mesobridge::sdpd {
 
-/// Philox4x32, the counter-based generator of Salmon, Moraes, Dror and Shaw (SC'11): 128 random bits as a pure
-/// function of a 128-bit counter and a 64-bit key. Seven rounds are the fewest that its authors found to
+/// Philox4x32, the counter-based generator of Salmon, Moraes, Dror and Shaw (SC'11): 128 random bits as a
+/// pure function of a 128-bit counter and a 64-bit key. Seven rounds are the fewest that its authors found to
 /// pass all of TestU01's BigCrush; three more, the usual margin, would make a step 2 % longer.
 struct Philox4x32 {
   using Counter = std::array<std::uint32_t, 4>;
@@ -62,8 +62,9 @@ struct NoiseSource {
 /// How many random bits come with the Gaussian numbers of a pair.
 inline constexpr int spare_bits = 16;
 
-/// The last eight bits of an angle are below single precision's reach: they serve elsewhere.
-inline constexpr std::uint32_t spare_of_turn = 0xff;
+/// Of the word that makes an angle, the first bit is the sign of its sine; the last eight are below single
+/// precision's reach and serve elsewhere.
+inline constexpr std::uint32_t sign_bit = 0x80000000, spare_of_turn = 0xff;
 
 /// Three standard Gaussian numbers for a pair of ids (Box and Muller's method on Philox4x32), and random
 /// bits that are independent of them, by the plain library functions: the reference for GaussianLanes.

@@ -1,14 +1,13 @@
 #pragma once
 #include "sdpd/pair/lane_math.hpp"
 #include "sdpd/random.hpp"
-#include <limits>
+#include <bit>
 
 /// The noise of sixteen pairs at once, in the compiler's vector types.
 namespace mesobridge::sdpd {
 
 /// Eight words of 64 bits whose lower halves count: their products need no shuffling between lanes.
 using LongBits [[gnu::vector_size(64)]] = std::uint64_t;
-using HalfBits [[gnu::vector_size(32)]] = std::uint32_t;
 
 /// The product of the lower halves.
 [[gnu::always_inline]] inline LongBits product(LongBits const& a, std::uint32_t b) {
@@ -18,6 +17,16 @@ using HalfBits [[gnu::vector_size(32)]] = std::uint32_t;
       _mm512_maskz_mul_epu32(0xff, reinterpret<__m512i>(a), reinterpret<__m512i>(factor)));
 #else
   return (a & 0xffffffffu) * factor;
+#endif
+}
+
+[[gnu::always_inline]] inline LongBits exclusive_or(LongBits const& a, LongBits const& b, LongBits const& c) {
+#ifdef __AVX512VL__
+  constexpr int parity = 0x96; // GCC 12 makes two instructions of a ^ b ^ c
+  return reinterpret<LongBits>(_mm512_maskz_ternarylogic_epi64(
+      0xff, reinterpret<__m512i>(a), reinterpret<__m512i>(b), reinterpret<__m512i>(c), parity));
+#else
+  return a ^ b ^ c;
 #endif
 }
 
@@ -55,8 +64,8 @@ class NoiseLanes {
 
     [[gnu::always_inline]] void round(std::array<std::uint64_t, 2> const& key) {
       LongBits const a = product(x0, Philox4x32::multiplier_0), b = product(x2, Philox4x32::multiplier_1);
-      x0 = (b >> 32) ^ x1 ^ key[0];
-      x2 = (a >> 32) ^ x3 ^ key[1];
+      x0 = exclusive_or(b >> 32, x1, key[0] - LongBits{});
+      x2 = exclusive_or(a >> 32, x3, key[1] - LongBits{});
       x1 = b;
       x3 = a;
     }
@@ -71,9 +80,9 @@ class NoiseLanes {
                                      LongBits);
   }
   [[gnu::always_inline]] static WideBits narrow(LongBits const& low, LongBits const& high) {
-    return __builtin_shufflevector(__builtin_convertvector(low, HalfBits),
-                                   __builtin_convertvector(high, HalfBits), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
-                                   11, 12, 13, 14, 15);
+    static_assert(std::endian::native == std::endian::little);
+    return __builtin_shufflevector(reinterpret<WideBits>(low), reinterpret<WideBits>(high), 0, 2, 4, 6, 8, 10,
+                                   12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
   }
 
   std::uint64_t step_low_, step_high_and_stream_;
@@ -90,31 +99,53 @@ class NoiseLanes {
   return x * p;
 }
 
+/// cos(pi x) for |x| <= 1/2 to 5e-8, the polynomial of degree 8 that is nearest to it.
+[[gnu::always_inline]] inline WideFloats cosine_of_half_turn(WideFloats const& x) {
+  WideFloats const z = x * x;
+  WideFloats p = z * 0.219696798f - 1.33188016f;
+  p = z * p + 4.05841191f;
+  p = z * p - 4.93479286f;
+  return z * p + 1.0f;
+}
+
 namespace detail {
 
-inline constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+/// -2 ln(x/2^31) of numbers x in [1/2, 2^31], relative error 1e-7: x = 2^(31 + e) m with m in [sqrt(1/2),
+/// sqrt(2)), and for ln m the nearest polynomial in f = m - 1 that is right in f = 0.
+[[gnu::always_inline]] inline WideFloats minus_two_logarithm(WideFloats const& x) {
+  constexpr std::int32_t one = 0x3f800000, root_half = 0x3f3504f3, mantissa = 0x007fffff, exponents = 1 << 23;
+  // Adding the gap between 1 and sqrt(1/2) moves the exponent's boundary to sqrt(1/2).
+  WideInts const shifted = reinterpret<WideInts>(x) + (one - root_half - (127 + 31) * exponents);
+  WideFloats const e = __builtin_convertvector(shifted >> 23, WideFloats);
+  WideFloats const f = reinterpret<WideFloats>((shifted & mantissa) + root_half) - 1.0f;
+  WideFloats p = f * -0.17919837f + 0.289643767f;
+  p = p * f - 0.298347527f;
+  p = p * f + 0.33087475f;
+  p = p * f - 0.399168344f;
+  p = p * f + 0.500058923f;
+  p = p * f - 0.666683209f;
+  p = p * f + 0.999999555f;
+  p = p * f - 2.0f;
+  return p * f - 1.38629436f * e;
+}
 
 /// sqrt(-2 ln u) of a uniform number u in (0, 1] from the upper 31 of 32 random bits.
 [[gnu::always_inline]] inline WideFloats radius(WideBits const& c) {
-  WideFloats const u = (__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f) * 0x1p-31f;
-  return square_root(-2.0f * logarithm(u));
+  return square_root(
+      minus_two_logarithm(__builtin_convertvector(reinterpret<WideInts>(c >> 1), WideFloats) + 0.5f));
 }
-/// An angle in [-1, 1) half turns.
-[[gnu::always_inline]] inline WideFloats turn(WideBits const& c) {
-  return __builtin_convertvector(reinterpret<WideInts>(c & ~spare_of_turn), WideFloats) * 0x1p-31f;
-}
-[[gnu::always_inline]] inline WideFloats magnitude(WideFloats const& x) {
-  return reinterpret<WideFloats>(reinterpret<WideInts>(x) & ~sign_bit);
-}
-/// cos(pi t) = sin(pi (1/2 - |t|))
-[[gnu::always_inline]] inline WideFloats cosine(WideFloats const& turn) {
-  return sine_of_half_turn(0.5f - magnitude(turn));
-}
-/// sin(pi t) = sin(pi s) with s nearest to 0
-[[gnu::always_inline]] inline WideFloats sine(WideFloats const& turn) {
-  WideFloats const nearest = 0.5f - magnitude(magnitude(turn) - 0.5f);
-  WideInts const sign = reinterpret<WideInts>(turn) & sign_bit;
-  return sine_of_half_turn(reinterpret<WideFloats>(reinterpret<WideInts>(nearest) | sign));
+/// Sine and cosine of an angle that is uniform in [0, pi): those of a quarter turn less x half turns.
+struct HalfTurn {
+  WideFloats x;
+
+  [[gnu::always_inline]] explicit HalfTurn(WideBits const& c)
+      : x(0.5f - __builtin_convertvector(reinterpret<WideInts>(c & ~(sign_bit | spare_of_turn)), WideFloats) *
+                     0x1p-31f) {}
+  [[gnu::always_inline]] WideFloats cosine() const { return sine_of_half_turn(x); }
+  [[gnu::always_inline]] WideFloats sine() const { return cosine_of_half_turn(x); }
+};
+[[gnu::always_inline]] inline WideFloats signed_as(WideBits const& c, WideFloats const& magnitude) {
+  return reinterpret<WideFloats>(reinterpret<WideBits>(magnitude) ^ (c & sign_bit));
 }
 
 } // namespace detail
@@ -131,10 +162,11 @@ struct GaussianLanes {
       : GaussianLanes(source.generate(id_a, id_b)) {}
   [[gnu::always_inline]] explicit GaussianLanes(NoiseLanes::Word const& word) {
     auto const& [c0, c1, c2, c3] = word;
-    WideFloats const radius = detail::radius(c0), turn = detail::turn(c1);
-    x = radius * detail::cosine(turn);
-    y = radius * detail::sine(turn);
-    z = detail::radius(c2) * detail::cosine(detail::turn(c3));
+    WideFloats const radius = detail::radius(c0);
+    detail::HalfTurn const turn(c1);
+    x = radius * turn.cosine();
+    y = detail::signed_as(c1, radius * turn.sine());
+    z = detail::radius(c2) * detail::HalfTurn(c3).cosine();
     bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
   }
 };
@@ -146,7 +178,7 @@ struct OneGaussianLanes {
 
   [[gnu::always_inline]] explicit OneGaussianLanes(NoiseLanes::Word const& word) {
     auto const& [c0, c1, c2, c3] = word;
-    x = detail::radius(c0) * detail::cosine(detail::turn(c1));
+    x = detail::radius(c0) * detail::HalfTurn(c1).cosine();
     bits = (c1 & spare_of_turn) << 8 | (c3 & spare_of_turn);
   }
 };

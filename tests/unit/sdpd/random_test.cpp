@@ -2,6 +2,7 @@
 #include "sdpd/random_lanes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 namespace mesobridge::sdpd {
@@ -34,6 +35,21 @@ std::vector<double> many_gaussians(NoiseSource const& source, std::uint32_t pair
       values.insert(values.end(), {G.x[lane], G.y[lane], G.z[lane]});
   }
   return values;
+}
+
+TEST(Gaussians, HaveRadiiAndDirectionsToSinglePrecision) {
+  int radii = 0, turns = 0;
+  for (float x = 0.5f; x <= 0x1p31f; x *= 1.00017f, ++radii) {
+    double const exact = -2 * std::log(double{x} / 0x1p31);
+    EXPECT_NEAR(detail::minus_two_logarithm(x - WideFloats{})[3], exact, 2e-7 * std::max(exact, 1e-30)) << x;
+  }
+  EXPECT_EQ(detail::minus_two_logarithm(0x1p31f - WideFloats{})[3], 0);
+  for (float x = -0.5f; x <= 0.5f; x += 0.0007f, ++turns) {
+    EXPECT_NEAR(cosine_of_half_turn(x - WideFloats{})[0], std::cos(std::numbers::pi * x), 1.5e-7);
+    EXPECT_NEAR(sine_of_half_turn(x - WideFloats{})[0], std::sin(std::numbers::pi * x), 1.5e-7);
+  }
+  EXPECT_GT(radii, 100000);
+  EXPECT_GT(turns, 1400);
 }
 
 TEST(Gaussians, AgreeWithThePlainLibraryFunctions) {
