@@ -1,6 +1,6 @@
 #pragma once
-#include "sdpd/lanes.hpp"
 #include "sdpd/neighbours.hpp"
+#include "sdpd/wide_lanes.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -28,17 +28,36 @@ void copy_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity co
   rows[n + 1] = Row{apart};
 }
 
-/// A list of pairs in groups of lane_count: calls f(pairs, first, count) with a pointer to lane_count pairs,
-/// the number of the first in the list and how many of them are in it; the others are the phantom pair.
-template <class F>
+/// Positions relative to the first particle with one more quantity each; then, as in copy_rows, a phantom
+/// pair.
+template <class Quantity>
+void copy_float_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity const& quantity,
+                     double apart, std::vector<FloatRow>& rows) {
+  std::size_t const n = size(members);
+  rows.resize(n + 2);
+  Vec3 origin;
+  for_each_member(members, [&](std::size_t local, Index i, Vec3 const& shift) {
+    if (local == 0)
+      origin = q[i] + shift;
+    Row const row{q[i].x + (shift.x - origin.x), q[i].y + (shift.y - origin.y), q[i].z + (shift.z - origin.z),
+                  quantity(i)};
+    rows[local] = __builtin_convertvector(row, FloatRow);
+  });
+  rows[n] = FloatRow{};
+  rows[n + 1] = FloatRow{static_cast<float>(apart)};
+}
+
+/// A list of pairs in groups of `length`: calls f(pairs, first, count) with a pointer to that many pairs, the
+/// number of the first in the list and how many of them are in it; the others are the phantom pair.
+template <std::size_t length = lane_count, class F>
 [[gnu::always_inline]] inline void for_each_group(std::span<LocalPair const> pairs, std::size_t particles,
                                                   F&& f) {
   std::size_t k = 0;
-  for (; k + lane_count <= pairs.size(); k += lane_count)
-    f(&pairs[k], k, lane_count);
+  for (; k + length <= pairs.size(); k += length)
+    f(&pairs[k], k, length);
   if (k == pairs.size())
     return;
-  std::array<LocalPair, lane_count> last;
+  std::array<LocalPair, length> last;
   last.fill({static_cast<std::uint16_t>(particles), static_cast<std::uint16_t>(particles + 1)});
   std::copy(pairs.begin() + static_cast<std::ptrdiff_t>(k), pairs.end(), last.begin());
   f(last.data(), k, pairs.size() - k);

@@ -156,8 +156,8 @@ void Neighbours::find_candidates(std::size_t block, std::span<Vec3 const> q) {
       append_near(at, i, a == b ? i + 1 : begin[b], begin[b + 1], reach2, found, count);
   auto& lists = lists_[block];
   order_in_matchings(std::span(found).first(count), begin.back(), lists.candidates, lists.candidate_ends);
-  lists.pairs.reserve(count + lane_count); // no more than that: vectors that grow take up to twice as much
-  lists.pairs.resize(count + lane_count);
+  lists.pairs.reserve(count + wide_count); // no more than that: vectors that grow take up to twice as much
+  lists.pairs.resize(count + wide_count);
   lists.pair_ends.resize(lists.candidate_ends.size());
   lists.pair_count = 0;
 }

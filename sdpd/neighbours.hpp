@@ -60,7 +60,7 @@ class Neighbours {
   }
 
   /// The pairs in range, and where each of their matchings ends. The first has room for all candidates and
-  /// lane_count more; set_pair_count says how much of it is in use.
+  /// wide_count more; set_pair_count says how much of it is in use.
   std::span<LocalPair> pair_room(std::size_t block) { return lists_[block].pairs; }
   std::span<std::uint32_t> pair_ends(std::size_t block) { return lists_[block].pair_ends; }
   void set_pair_count(std::size_t block, std::size_t count) { lists_[block].pair_count = count; }

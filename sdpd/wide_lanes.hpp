@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/lanes.hpp"
+#include <type_traits>
 
 /// Sixteen numbers of 32 bits that are worked on together: see lanes.hpp.
 namespace mesobridge::sdpd {
@@ -9,6 +10,15 @@ inline constexpr std::size_t wide_count = 16;
 using WideFloats [[gnu::vector_size(64)]] = float;
 using WideInts [[gnu::vector_size(64)]] = std::int32_t;
 using WideBits [[gnu::vector_size(64)]] = std::uint32_t;
+
+/// A number as X's arithmetic takes it: single precision beside lanes of floats.
+template <class X>
+[[gnu::always_inline]] constexpr auto number_for(double value) {
+  if constexpr (std::is_same_v<X, WideFloats>)
+    return static_cast<float>(value);
+  else
+    return value;
+}
 
 /// The same bits, read as another type.
 template <class To, class From>
@@ -34,6 +44,28 @@ template <class To, class From>
   return join(square_root(low_half(x)), square_root(high_half(x)));
 #endif
 }
+
+/// 1/sqrt(x) for x >= 1e-30, to 2 units in the last place.
+[[gnu::always_inline]] inline WideFloats inverse_square_root(WideFloats const& x) {
+#ifdef __AVX512VL__
+  WideFloats const y =
+      _mm512_maskz_rsqrt14_ps(0xffff, x); // right to 2^-14; Newton's iteration doubles the digits
+  return y * (1.5f - 0.5f * x * y * y);
+#else
+  return 1.0f / square_root(x);
+#endif
+}
+
+/// Distances from their squares. Two particles in one place count as 1e-15 apart, so that e = 0.
+struct WideDistances {
+  WideFloats r, inverse_r;
+
+  [[gnu::always_inline]] explicit WideDistances(WideFloats const& r2) {
+    WideFloats const least = 1e-30f - WideFloats{}, safe = r2 < least ? least : r2;
+    inverse_r = inverse_square_root(safe);
+    r = safe * inverse_r;
+  }
+};
 
 /// Bit l is set where a < b in lane l.
 [[gnu::always_inline]] inline unsigned less(WideFloats const& a, WideFloats const& b) {
@@ -74,6 +106,30 @@ template <class To, class From>
     found[l] = values[index[l]];
   return found;
 #endif
+}
+
+/// Four numbers of one particle, in a quarter of a cache line.
+using FloatRow [[gnu::vector_size(16)]] = float;
+/// Four quantities of sixteen particles: quantity[k][l] belongs to the particle of lane l.
+using WideRowLanes = std::array<WideFloats, 4>;
+
+/// Reads the row at row_of(l) for each lane l and turns rows into quantities.
+template <class RowOf>
+[[gnu::always_inline]] inline WideRowLanes load_wide_rows(RowOf const& row_of) {
+  auto pair = [&](std::size_t l) [[gnu::always_inline]] {
+    return __builtin_shufflevector(load<FloatRow>(row_of(l)), load<FloatRow>(row_of(l + 4)), 0, 1, 2, 3, 4, 5,
+                                   6, 7);
+  };
+  auto four = [&](std::size_t l) [[gnu::always_inline]] { return join(pair(l), pair(l + 8)); };
+  auto low = [](WideFloats const& a, WideFloats const& b) [[gnu::always_inline]] {
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
+  };
+  auto high = [](WideFloats const& a, WideFloats const& b) [[gnu::always_inline]] {
+    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
+  };
+  WideFloats const a = four(0), b = four(1), c = four(2), d = four(3);
+  WideFloats const ac_low = low(a, c), bd_low = low(b, d), ac_high = high(a, c), bd_high = high(b, d);
+  return {low(ac_low, bd_low), high(ac_low, bd_low), low(ac_high, bd_high), high(ac_high, bd_high)};
 }
 
 } // namespace mesobridge::sdpd

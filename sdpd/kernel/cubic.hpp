@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/wide_lanes.hpp"
 #include <numbers>
 
 namespace mesobridge::sdpd {
@@ -23,13 +24,13 @@ class CubicKernel {
     return W_norm_ * (u < 0.5 ? inner : outer);
   }
 
-  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5. Finite at r = 0.
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision. Finite at r = 0.
   template <class X>
   X F(X const& r, X const& inverse_r) const {
-    X const u = r * inv_h_;
+    X const u = r * number_for<X>(inv_h_);
     X const inner = 2.0 - 3.0 * u;
-    X const outer = (1.0 - u) * (1.0 - u) * (inverse_r * h_);
-    return F_norm_ * (u < 0.5 ? inner : outer);
+    X const outer = (1.0 - u) * (1.0 - u) * (inverse_r * number_for<X>(h_));
+    return number_for<X>(F_norm_) * (u < number_for<X>(0.5) ? inner : outer);
   }
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/wide_lanes.hpp"
 #include <numbers>
 
 namespace mesobridge::sdpd {
@@ -20,11 +21,11 @@ class LucyKernel {
     return W_norm_ * (1.0 + 3.0 * u) * (1.0 - u) * (1.0 - u) * (1.0 - u);
   }
 
-  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5.
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * inv_h_;
-    return F_norm_ * (1.0 - u) * (1.0 - u);
+    X const u = r * number_for<X>(inv_h_);
+    return number_for<X>(F_norm_) * (1.0 - u) * (1.0 - u);
   }
 
  private:

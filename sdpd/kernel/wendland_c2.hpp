@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/wide_lanes.hpp"
 #include <numbers>
 
 namespace mesobridge::sdpd {
@@ -21,11 +22,11 @@ class WendlandC2Kernel {
     return W_norm_ * v2 * v2 * (1.0 + 4.0 * u);
   }
 
-  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5.
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * inv_h_, v = 1.0 - u, v2 = v * v;
-    return F_norm_ * v2 * v;
+    X const u = r * number_for<X>(inv_h_), v = 1.0 - u, v2 = v * v;
+    return number_for<X>(F_norm_) * v2 * v;
   }
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/wide_lanes.hpp"
 #include <numbers>
 
 namespace mesobridge::sdpd {
@@ -21,11 +22,11 @@ class WendlandC6Kernel {
     return W_norm_ * v4 * v4 * (1.0 + u * (8.0 + u * (25.0 + 32.0 * u)));
   }
 
-  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5.
+  /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * inv_h_, v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
-    return F_norm_ * v4 * v2 * v * (1.0 + u * (7.0 + 16.0 * u));
+    X const u = r * number_for<X>(inv_h_), v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
+    return number_for<X>(F_norm_) * v4 * v2 * v * (1.0 + u * (7.0 + 16.0 * u));
   }
 
  private:

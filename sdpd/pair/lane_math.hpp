@@ -125,8 +125,8 @@ template <class Floats>
   return std::pow(x, s);
 }
 /// The same in lanes, to single precision; anything for other x.
-[[gnu::always_inline]] inline Lanes power(Lanes const& x, double s) {
-  return to_double(exp_up_to_one(to_float(s * logarithm(x))));
+[[gnu::always_inline]] inline WideFloats power(WideFloats const& x, double s) {
+  return exp_up_to_one(static_cast<float>(s) * logarithm(x));
 }
 
 } // namespace mesobridge::sdpd

@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/lanes.hpp"
+#include "sdpd/wide_lanes.hpp"
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -54,6 +54,12 @@ class UniformTable {
     }
     auto const [c_0, c_1, c_2, c_3] = load_rows([&](std::size_t l) { return &rows_[k[l]]; });
     return {c_0, c_1, c_2, c_3, t};
+  }
+  [[gnu::always_inline]] At<WideFloats> at(WideFloats const& r) const {
+    auto const low = at(to_double(low_half(r))), high = at(to_double(high_half(r)));
+    auto both = [](Lanes const& a, Lanes const& b) { return join(to_float(a), to_float(b)); };
+    return {both(low.c_0, high.c_0), both(low.c_1, high.c_1), both(low.c_2, high.c_2),
+            both(low.c_3, high.c_3), both(low.t, high.t)};
   }
 
  private:

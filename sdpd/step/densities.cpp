@@ -38,7 +38,7 @@ void find_pairs_and_densities(System& system, Kernel const& kernel) {
     std::size_t const n = size(members);
     copy_rows(
         members, particles.q, [](Index) { return 0.0; }, out_of_range, scratch.rows);
-    select_pairs(neighbours, block, scratch.rows, scratch.selection);
+    select_pairs_and_distances(neighbours, block, scratch.rows, scratch.selection);
     add_densities(kernel, neighbours.pairs(block), n, scratch);
     for_each_member(members,
                     [&](std::size_t local, Index i, Vec3 const&) { particles.rho[i] += scratch.rho[local]; });

@@ -7,20 +7,22 @@ namespace mesobridge::sdpd {
 namespace {
 
 template <Across across, class Weights>
-void prepare_directions(std::vector<Row> const& rows, std::size_t particles, Weights const& weights,
+void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles, Weights const& weights,
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
-  for_each_group(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
-    RowLanes const a = load_rows([&](std::size_t l) { return &rows[pair[l].i]; });
-    RowLanes const b = load_rows([&](std::size_t l) { return &rows[pair[l].j]; });
-    Lanes const x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    auto const [r, inverse_r] = DistanceLanes(x * x + y * y + z * z);
-    store(to_float(x * inverse_r), &inputs.e_x[first]);
-    store(to_float(y * inverse_r), &inputs.e_y[first]);
-    store(to_float(z * inverse_r), &inputs.e_z[first]);
+  // A distance beside the range may round past it, where some kernels are below zero.
+  auto above_zero = [](WideFloats const& x) [[gnu::always_inline]] { return x > 0.0f ? x : WideFloats{}; };
+  for_each_group<wide_count>(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
+    auto const a = load_wide_rows([&](std::size_t l) { return &rows[pair[l].i]; });
+    auto const b = load_wide_rows([&](std::size_t l) { return &rows[pair[l].j]; });
+    WideFloats const x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    auto const [r, inverse_r] = WideDistances(x * x + y * y + z * z);
+    store(x * inverse_r, &inputs.e_x[first]);
+    store(y * inverse_r, &inputs.e_y[first]);
+    store(z * inverse_r, &inputs.e_z[first]);
     auto const weight = weights(r, inverse_r, a[3], b[3]);
-    store(to_float(weight.par), &inputs.weight[first]);
+    store(above_zero(weight.par), &inputs.weight[first]);
     if constexpr (across == Across::own)
-      store(to_float(weight.perp), &inputs.weight_across[first]);
+      store(above_zero(weight.perp), &inputs.weight_across[first]);
   });
 }
 
@@ -87,10 +89,10 @@ void BlockGeometry::copy_geometry(System const& system, std::size_t block) {
   size_ = sdpd::size(members_);
   double const in_range = 0.5 * system.neighbours.range();
   if (from.rho.empty())
-    copy_rows(
+    copy_float_rows(
         members_, from.q, [](Index) { return 0.0; }, in_range, rows_);
   else
-    copy_rows(
+    copy_float_rows(
         members_, from.q, [&](Index i) { return 1 / from.rho[i]; }, in_range, rows_);
   ids_.resize(size_);
   for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) { ids_[local] = from.id[i]; });

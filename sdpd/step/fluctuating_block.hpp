@@ -37,8 +37,9 @@ struct PairInputs {
 class BlockGeometry {
  public:
   std::size_t size() const { return size_; }
-  /// Positions with 1/rho, where there are densities.
-  std::vector<Row> const& rows() const { return rows_; }
+  /// Positions relative to the first particle, with 1/rho, where there are densities. Single precision is
+  /// enough for directions, which friction and noise share, and weights.
+  std::vector<FloatRow> const& rows() const { return rows_; }
   std::vector<std::uint32_t> const& ids() const { return ids_; }
   BlockMembers const& members() const { return members_; }
   /// Where the particle is in memory.
@@ -50,7 +51,7 @@ class BlockGeometry {
  private:
   BlockMembers members_;
   std::size_t size_ = 0;
-  std::vector<Row> rows_;
+  std::vector<FloatRow> rows_;
   std::vector<std::uint32_t> ids_;
 };
 

@@ -24,23 +24,24 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
   BlockOf<Law> block;
   block.copy_in(system, number);
   for (auto const pair : system.neighbours.pairs(number)) {
-    Row const &at_i = block.rows()[pair.i], &at_j = block.rows()[pair.j];
-    Vec3 const r{at_i[0] - at_j[0], at_i[1] - at_j[1], at_i[2] - at_j[2]}, e = r / norm(r);
+    Index const i = block.index(pair.i), j = block.index(pair.j);
+    auto const& particles = system.particles;
+    Vec3 const r = system.box.minimum_image(particles.q[i] - particles.q[j]), e = r / norm(r);
+    auto inverse_density = [&](Index k) { return particles.rho.empty() ? 0 : 1 / particles.rho[k]; };
     auto const low = std::min(block.ids()[pair.i], block.ids()[pair.j]),
                high = std::max(block.ids()[pair.i], block.ids()[pair.j]);
     auto const [g, bits] = gaussians_and_bits_reference(sweep.noise.pairs, low, high);
     Vec3 const G = Law::noise == PairNoise::along
                        ? g[0] * e
                        : (low == block.ids()[pair.i] ? 1.0 : -1.0) * Vec3{g[0], g[1], g[2]};
-    PairWeights<double> const weight = weights(norm(r), 1 / norm(r), at_i[3], at_j[3]);
+    PairWeights<double> const weight = weights(norm(r), 1 / norm(r), inverse_density(i), inverse_density(j));
     ++counts.proposed;
     if constexpr (!Law::has_energies) {
       isothermal_step(block.particles()[pair.i], block.particles()[pair.j], e, weight, G, sweep);
     } else {
       try {
         double const uniform = acceptance_uniform(sweep.noise.acceptance, low, high, bits);
-        ExactPair<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]},
-                       {block.index(pair.i), block.index(pair.j)})
+        ExactPair<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j})
             .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
       } catch (PhysicsError const& error) {
         failure.report(low, error.what());

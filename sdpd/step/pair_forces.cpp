@@ -10,6 +10,7 @@ namespace {
 
 struct Scratch {
   std::vector<Row> rows, f; // positions; forces
+  std::vector<FloatRow> float_rows;
   SelectionScratch selection;
 };
 
@@ -61,7 +62,7 @@ Sums add_forces(System const& system, Potential const& potential, BlockMembers c
     energy += distance.r < cutoff ? u : zero;
     virial += strength * r2;
     auto const force = to_rows({strength * x, strength * y, strength * z, zero});
-    for (std::size_t l = 0; l < count; ++l) {
+    for (std::size_t l = 0; l < lane_count; ++l) {
       f[pair[l].i] += force[l];
       f[pair[l].j] -= force[l];
     }
@@ -100,7 +101,9 @@ void find_pair_forces(System& system, Potential const& potential) {
     auto const members = neighbours.members(block);
     copy_rows(
         members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.rows);
-    select_pairs(neighbours, block, scratch.rows, scratch.selection);
+    copy_float_rows(
+        members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.float_rows);
+    select_pairs(neighbours, block, scratch.float_rows, scratch.selection);
     auto const sums = find_block_forces(system, potential, block, members, scratch, failure);
     system.block_energy[block] = sums.energy, system.block_virial[block] = sums.virial;
   });

@@ -5,14 +5,19 @@ namespace mesobridge::sdpd {
 
 /// Working memory of select_pairs.
 struct SelectionScratch {
-  std::vector<double> r2;            ///< |r|^2 of the pairs in range
+  std::vector<double> r2;            ///< |r|^2 of the pairs in range, where they are wanted
   std::vector<std::uint32_t> before; ///< pairs in range before each group of candidates
-  std::vector<std::uint8_t> bits;    ///< which of a group are in range
+  std::vector<std::uint16_t> bits;   ///< which of a group are in range
 };
 
 /// Picks the pairs in range of a block, whose particles' positions are in `rows`, from its candidates, with
-/// their |r|^2. Returns how many there are.
-std::size_t select_pairs(Neighbours& neighbours, std::size_t block, std::vector<Row> const& rows,
-                         SelectionScratch& scratch);
+/// their |r|^2.
+void select_pairs_and_distances(Neighbours& neighbours, std::size_t block, std::vector<Row> const& rows,
+                                SelectionScratch& scratch);
+
+/// The same in single precision, without distances: some pairs may be in it that are out of range by 1e-5 of
+/// it.
+void select_pairs(Neighbours& neighbours, std::size_t block, std::vector<FloatRow> const& rows,
+                  SelectionScratch& scratch);
 
 } // namespace mesobridge::sdpd

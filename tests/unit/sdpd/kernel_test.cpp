@@ -41,6 +41,16 @@ TYPED_TEST(Kernel, HasFAsMinusItsSlopeOverR) {
   EXPECT_EQ(checked, 100);
 }
 
+TYPED_TEST(Kernel, HasFInSinglePrecisionToo) {
+  TypeParam const kernel(1.7);
+  int checked = 0;
+  for (float r = 0.01f; r < 1.7f; r += 0.003f, ++checked) {
+    float const F = kernel.F(r - WideFloats{}, 1 / r - WideFloats{})[9];
+    EXPECT_NEAR(F, kernel.F(double{r}, 1 / double{r}), 1e-6 * kernel.F(0.1, 10.0)) << "r = " << r;
+  }
+  EXPECT_GT(checked, 500);
+}
+
 TYPED_TEST(Kernel, IsFiniteAtZeroAndVanishesAtItsSupport) {
   TypeParam const kernel(2.5);
   EXPECT_TRUE(std::isfinite(kernel.F(1e-100, 1e100)));

@@ -26,6 +26,16 @@ TEST(Lanes, TurnRowsIntoQuantitiesAndBack) {
       EXPECT_EQ(rows[l][q], numbers[4 * l + q]);
 }
 
+TEST(WideLanes, TurnRowsIntoQuantities) {
+  std::vector<float> numbers(64);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    numbers[k] = static_cast<float>(k);
+  auto const quantities = load_wide_rows([&](std::size_t l) { return &numbers[4 * l]; });
+  for (std::size_t q = 0; q < 4; ++q)
+    for (std::size_t l = 0; l < wide_count; ++l)
+      EXPECT_EQ(quantities[q][l], static_cast<float>(4 * l + q));
+}
+
 TEST(Lanes, TurnLinesIntoQuantities) {
   std::vector<double> numbers(64);
   for (std::size_t k = 0; k < numbers.size(); ++k)
@@ -78,6 +88,20 @@ TEST(Lanes, DistanceOfTwoParticlesInOnePlaceIsANumber) {
   DistanceLanes const distance(lanes(0, 1));
   EXPECT_LT(distance.r[0], 1e-140);
   EXPECT_EQ(0 * distance.inverse_r[0], 0);
+}
+
+TEST(WideLanes, HaveDistancesToSinglePrecision) {
+  int checked = 0;
+  for (float r2 = 1e-29f; r2 < 1e30f; r2 *= 1.37f, ++checked) {
+    WideDistances const distance(r2 - WideFloats{});
+    double const r = std::sqrt(double{r2});
+    EXPECT_NEAR(distance.r[7] / r, 1, 2e-7) << r2;
+    EXPECT_NEAR(distance.inverse_r[7] * r, 1, 2e-7) << r2;
+  }
+  EXPECT_GT(checked, 400);
+  WideDistances const in_one_place(WideFloats{});
+  EXPECT_LT(in_one_place.r[0], 1e-14);
+  EXPECT_EQ(0 * in_one_place.inverse_r[0], 0);
 }
 
 TEST(MinusExpm1, IsRightToSinglePrecisionInLanes) {
