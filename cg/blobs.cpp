@@ -116,7 +116,7 @@ void refuse_large_molecules(BlobFrame const& frame) {
   for (auto const& blob : frame.blobs)
     sum += blob.width;
   double const edge = std::min({frame.box.edge.x, frame.box.edge.y, frame.box.edge.z});
-  if (double const mean = sum / double(frame.blobs.size()); mean > edge / 2)
+  if (double const mean = sum / double(frame.blobs.size()); !(mean <= edge / 2))
     throw PhysicsError(
         fmt::format("the molecules are {:.4g} wide on average, more than half the box edge {:.4g}. "
                     "Take a larger box (more molecules)",

@@ -13,7 +13,7 @@ struct Blob {
   double U_kin = 0; ///< kinetic energy relative to the centre of mass
   double U_pot = 0; ///< potential energy inside the molecule: pairs and bonds
   double Phi = 0;   ///< half of the potential energy with the other molecules
-  double width = 0; ///< of the narrowest box around it
+  double width = 0; ///< the largest of its extents along x, y and z
 
   double U() const { return U_kin + U_pot; }
   double internal_energy() const { return U() + Phi; }

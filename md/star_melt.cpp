@@ -2,6 +2,7 @@
 #include "md/seeds.hpp"
 #include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
+#include "md/star_width.hpp"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,20 +14,6 @@ namespace {
 constexpr double energy_tolerance = 0.01;
 /// Steps between two looks at whether the user wants to stop.
 constexpr std::int64_t piece = 100;
-/// The ends of a chain of n bonds of length l are about sqrt(c n) l apart; a star of such arms is hardly ever
-/// wider than so many times that, most of the time narrower than so many times. (6-12 stars at rho = 0.5 are
-/// 8.1 +- 1.3 wide, which is 1.1 times; at rho = 0.1 one in a million is 23 wide, 3.1 times.)
-constexpr double chain_stiffness = 1.7, hardly_ever = 3.5, usually = 1.4;
-
-/// Edge of the smallest box for such stars: usually half of it holds one, and hardly ever does one reach its
-/// own image.
-double smallest_edge(StarPolymer const& star) {
-  double const straight = 2 * (star.centre_length + (star.beads - 1) * star.arm_length);
-  double const chain = std::sqrt(chain_stiffness * 2 * star.beads) * star.arm_length;
-  return std::max(2 * std::min(straight, usually * chain),
-                  std::min(straight, hardly_ever * chain) + wca_cutoff());
-}
-
 double lattice_spacing(StarMeltSettings const& settings) {
   // A melt thinner than the closest lattice starts at its own density.
   StarLattice const lattice{.star = settings.star, .molecules = settings.molecules, .spacing = 1};
@@ -178,11 +165,12 @@ void check(StarMeltSettings const& settings) {
           "steps between checkpoints", settings.checkpoint_every,
           "must be a multiple of the steps between samples");
   double const edge = std::cbrt(beads_of(settings) / settings.rho);
+  double const smallest = smallest_edge(settings.star, settings.T);
   require(
-      edge > smallest_edge(settings.star), "molecules", settings.molecules,
+      edge > smallest, "molecules", settings.molecules,
       fmt::format("the box has the edge {:.4g}; for {} stars it must be over {:.4g}, so that half the box "
                   "holds one and none meets its own image: take more molecules",
-                  edge, settings.star.name(), smallest_edge(settings.star)));
+                  edge, settings.star.name(), smallest));
 }
 
 std::vector<MeltStretch> plan(StarMeltSettings const& settings) {

@@ -1,6 +1,7 @@
 #include "cg/blobs.hpp"
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
+#include "md/star_width.hpp"
 #include "tests/unit/md/scratch_folder.hpp"
 #include <algorithm>
 #include <cmath>
@@ -109,13 +110,40 @@ TEST_F(StarMeltTest, BlobsAddUpAndAgreeWithAnIndependentSum) {
 
 TEST_F(StarMeltTest, BlobsAddUpWhenSomeAreWiderThanHalfTheBox) {
   auto settings = small_melt(folder_.path());
-  settings.star = {.arms = 2, .beads = 4};
-  settings.rho = 0.34, settings.T = 5;
+  settings.T = 5, settings.rho = 0.32;
   auto const frames = run(settings, false);
-  auto const& blobs = frames.back().blobs;
-  double const half = frames.back().box.edge.x / 2;
-  EXPECT_GT(std::ranges::count_if(blobs, [&](auto const& blob) { return blob.width > half; }), 0);
+  std::ptrdiff_t wide = 0;
+  for (auto const& frame : frames)
+    wide += std::ranges::count_if(frame.blobs,
+                                  [&](auto const& blob) { return blob.width > frame.box.edge.x / 2; });
+  EXPECT_GT(wide, 0);
   expect_sums(settings, frames);
+}
+
+TEST_F(StarMeltTest, TheSmallestBoxHoldsItsStars) {
+  struct Case {
+    md::StarPolymer star;
+    double T;
+  };
+  std::vector<Case> const cases{{{.arms = 1, .beads = 6}, 1}, {{.arms = 2, .beads = 1}, 5},
+                                {{.arms = 2, .beads = 8}, 1}, {{.arms = 4, .beads = 1}, 1},
+                                {{.arms = 6, .beads = 3}, 1}, {{.arms = 12, .beads = 4}, 1}};
+  for (auto const& [star, T] : cases) {
+    auto settings = small_melt(folder_.path());
+    settings.star = star, settings.T = T, settings.sampling_steps = 3000;
+    double const edge = md::smallest_edge(star, T);
+    settings.molecules = std::max(8, int(std::ceil(1.01 * settings.rho * edge * edge * edge / star.atoms())));
+    auto const frames = run(settings, false); // throws if one meets its own image
+    double mean = 0;
+    for (auto const& frame : frames)
+      for (auto const& blob : frame.blobs)
+        mean += blob.width / double(frames.size() * frame.blobs.size());
+    auto const width = md::star_width(star, T);
+    EXPECT_LT(mean, width.mean) << star.name();
+    EXPECT_GT(mean, 0.6 * width.mean) << star.name() << ": no wider than it need be";
+    settings.molecules = int(0.95 * settings.rho * edge * edge * edge / star.atoms());
+    EXPECT_THROW(md::check(settings), InputError) << star.name();
+  }
 }
 
 TEST_F(StarMeltTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
