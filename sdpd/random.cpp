@@ -9,7 +9,8 @@ Gaussians gaussians_and_bits_reference(NoiseSource const& source, std::uint32_t 
       Philox4x32::generate({id_a, id_b, source.step_low, source.step_high_and_stream}, source.key);
   auto radius = [](std::uint32_t b) { return std::sqrt(-2 * std::log(((b >> 1) + 0.5) / 2147483648.0)); };
   auto angle = [](std::uint32_t b) {
-    return std::numbers::pi * (b & ~(sign_bit | spare_of_turn)) / 2147483648.0;
+    std::uint32_t const middle = (spare_of_turn + 1) / 2; // of the interval that the bits tell
+    return std::numbers::pi * ((b & ~(sign_bit | spare_of_turn)) + middle) / 2147483648.0;
   };
   double const side = word[1] & sign_bit ? -1 : 1;
   return {.G = {radius(word[0]) * std::cos(angle(word[1])), side * radius(word[0]) * std::sin(angle(word[1])),

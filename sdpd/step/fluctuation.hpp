@@ -20,8 +20,8 @@ namespace mesobridge::sdpd {
 /// thermodynamics_from_energy). `second` draws other random numbers: for the second sweep of a step.
 ///
 /// Pairs of a matching share no particle and are worked on in lanes. Velocities and energies are double
-/// precision; coefficients, noise and directions are single: they decide how much is exchanged, to 1e-7, not
-/// whether it is conserved.
+/// precision; coefficients, noise and directions are single, from positions within the block: they decide how
+/// much is exchanged, to some 1e-6, not whether it is conserved.
 void fluctuate(System& system, PairScheme scheme, double dt, bool second = false);
 void fluctuate_ser(System& system, double dt, bool second = false);
 
