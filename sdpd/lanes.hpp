@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #ifdef __AVX512VL__
 #include <immintrin.h>
 #endif
@@ -34,8 +35,16 @@ template <class T>
   std::memcpy(to, &value, sizeof value);
 }
 
+/// The same number in every lane, in the lanes' precision, or the number itself.
+template <class X>
+[[gnu::always_inline]] inline X constant(double value) {
+  if constexpr (std::is_same_v<X, double>)
+    return value;
+  else
+    return static_cast<std::remove_cvref_t<decltype(X{}[0])>>(value) - X{};
+}
 [[gnu::always_inline]] inline Lanes broadcast(double value) {
-  return value - Lanes{};
+  return constant<Lanes>(value);
 }
 
 [[gnu::always_inline]] inline FloatLanes to_float(Lanes const& x) {

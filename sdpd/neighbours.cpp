@@ -148,8 +148,8 @@ void Neighbours::find_candidates(std::size_t block, std::span<Vec3 const> q) {
   for (auto const& cell : all)
     begin.push_back(begin.back() + (cell.end - cell.begin));
   // Wider by more than single precision errs within a block, which is a few reaches wide.
-  double const reach = (1 + 1e-5) * (range_ + skin_);
-  auto const reach2 = static_cast<float>(reach * reach);
+  double const wider = (1 + 1e-5) * reach();
+  auto const reach2 = static_cast<float>(wider * wider);
   std::size_t count = 0;
   for (auto const& [a, b] : grid_.blocks()[block].pairs)
     for (std::size_t i = begin[a]; i < begin[a + 1]; ++i)

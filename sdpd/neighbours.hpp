@@ -38,6 +38,7 @@ class Neighbours {
   Neighbours(Box box, double range, double skin, int threads);
 
   double range() const { return range_; }
+  double reach() const { return range_ + skin_; } ///< of the candidates at a renewal
   CellGrid const& grid() const { return grid_; }
 
   /// True when some particle has moved by more than half the skin since the last renewal (or there was none).
@@ -59,8 +60,8 @@ class Neighbours {
     return lists_[block].candidate_ends;
   }
 
-  /// The pairs in range, and where each of their matchings ends. The first has room for all candidates and
-  /// wide_count more; set_pair_count says how much of it is in use.
+  /// The pairs in range (see select_pairs), and where each of their matchings ends. The first has room for
+  /// all candidates and wide_count more; set_pair_count says how much of it is in use.
   std::span<LocalPair> pair_room(std::size_t block) { return lists_[block].pairs; }
   std::span<std::uint32_t> pair_ends(std::size_t block) { return lists_[block].pair_ends; }
   void set_pair_count(std::size_t block, std::size_t count) { lists_[block].pair_count = count; }

@@ -1,6 +1,5 @@
 #pragma once
 #include "sdpd/lanes.hpp"
-#include <type_traits>
 
 /// Sixteen numbers of 32 bits that are worked on together: see lanes.hpp.
 namespace mesobridge::sdpd {
@@ -10,15 +9,6 @@ inline constexpr std::size_t wide_count = 16;
 using WideFloats [[gnu::vector_size(64)]] = float;
 using WideInts [[gnu::vector_size(64)]] = std::int32_t;
 using WideBits [[gnu::vector_size(64)]] = std::uint32_t;
-
-/// A number as X's arithmetic takes it: single precision beside lanes of floats.
-template <class X>
-[[gnu::always_inline]] constexpr auto number_for(double value) {
-  if constexpr (std::is_same_v<X, WideFloats>)
-    return static_cast<float>(value);
-  else
-    return value;
-}
 
 /// The same bits, read as another type.
 template <class To, class From>

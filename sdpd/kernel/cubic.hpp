@@ -27,10 +27,10 @@ class CubicKernel {
   /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision. Finite at r = 0.
   template <class X>
   X F(X const& r, X const& inverse_r) const {
-    X const u = r * number_for<X>(inv_h_);
+    X const u = r * constant<X>(inv_h_);
     X const inner = 2.0 - 3.0 * u;
-    X const outer = (1.0 - u) * (1.0 - u) * (inverse_r * number_for<X>(h_));
-    return number_for<X>(F_norm_) * (u < number_for<X>(0.5) ? inner : outer);
+    X const outer = (1.0 - u) * (1.0 - u) * (inverse_r * constant<X>(h_));
+    return constant<X>(F_norm_) * (u < constant<X>(0.5) ? inner : outer);
   }
 
  private:

@@ -24,8 +24,8 @@ class LucyKernel {
   /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * number_for<X>(inv_h_);
-    return number_for<X>(F_norm_) * (1.0 - u) * (1.0 - u);
+    X const u = r * constant<X>(inv_h_);
+    return constant<X>(F_norm_) * (1.0 - u) * (1.0 - u);
   }
 
  private:

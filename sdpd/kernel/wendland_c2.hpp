@@ -25,8 +25,8 @@ class WendlandC2Kernel {
   /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * number_for<X>(inv_h_), v = 1.0 - u, v2 = v * v;
-    return number_for<X>(F_norm_) * v2 * v;
+    X const u = r * constant<X>(inv_h_), v = 1.0 - u, v2 = v * v;
+    return constant<X>(F_norm_) * v2 * v;
   }
 
  private:

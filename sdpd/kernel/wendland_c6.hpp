@@ -25,8 +25,8 @@ class WendlandC6Kernel {
   /// Valid for 0 <= r <= h, with 1/r; units of 1/h^5; also in single precision.
   template <class X>
   X F(X const& r, X const& /*inverse_r*/) const {
-    X const u = r * number_for<X>(inv_h_), v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
-    return number_for<X>(F_norm_) * v4 * v2 * v * (1.0 + u * (7.0 + 16.0 * u));
+    X const u = r * constant<X>(inv_h_), v = 1.0 - u, v2 = v * v, v4 = v2 * v2;
+    return constant<X>(F_norm_) * v4 * v2 * v * (1.0 + u * (7.0 + 16.0 * u));
   }
 
  private:

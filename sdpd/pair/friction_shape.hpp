@@ -27,9 +27,9 @@ class PowerFriction {
 
   template <class X>
   [[gnu::always_inline]] PairWeights<X> operator()(X const& r) const {
-    X const left = 1.0 - r * number_for<X>(inverse_cutoff_), zero = 0.0 * r;
-    X const weight = left > number_for<X>(0) ? (exponent_ == 2 ? left * left : power(left, exponent_)) : zero;
-    return {number_for<X>(par_) * weight, number_for<X>(perp_) * weight};
+    X const left = 1.0 - r * constant<X>(inverse_cutoff_), zero = 0.0 * r;
+    X const weight = left > constant<X>(0) ? (exponent_ == 2 ? left * left : power(left, exponent_)) : zero;
+    return {constant<X>(par_) * weight, constant<X>(perp_) * weight};
   }
 
  private:
@@ -54,7 +54,7 @@ class TabulatedFriction {
     X const zero = 0.0 * r;
     auto const [par, par_slope, perp, perp_slope, t] = table_.at(r);
     X const a = par + t * par_slope, b = perp + t * perp_slope;
-    auto const end = number_for<X>(table_.end());
+    X const end = constant<X>(table_.end());
     return {r < end ? a : zero, r < end ? b : zero};
   }
 

@@ -3,16 +3,6 @@
 
 namespace mesobridge::sdpd {
 
-/// The same number in every lane, or the number itself.
-template <class X>
-[[gnu::always_inline]] inline X constant(double value) {
-  return static_cast<float>(value) - X{};
-}
-template <>
-[[gnu::always_inline]] inline double constant<double>(double value) {
-  return value;
-}
-
 /// exp(-x) - 1 for x >= 0 without cancellation.
 [[gnu::always_inline]] inline double minus_expm1(double x) {
   return std::expm1(-x);

@@ -9,8 +9,9 @@ namespace {
 template <Across across, class Weights>
 void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles, Weights const& weights,
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
-  // A distance beside the range may round past it, where some kernels are below zero.
-  auto above_zero = [](WideFloats const& x) [[gnu::always_inline]] { return x > 0.0f ? x : WideFloats{}; };
+  // A distance beside the range may round past it, where some kernels are below zero. Pairs with one weight
+  // for both directions keep some, because the Metropolis test asks for a density of their noise.
+  WideFloats const least = constant<WideFloats>(across == Across::common ? 1e-30 : 0);
   for_each_group<wide_count>(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
     auto const a = load_wide_rows([&](std::size_t l) { return &rows[pair[l].i]; });
     auto const b = load_wide_rows([&](std::size_t l) { return &rows[pair[l].j]; });
@@ -20,9 +21,9 @@ void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles
     store(y * inverse_r, &inputs.e_y[first]);
     store(z * inverse_r, &inputs.e_z[first]);
     auto const weight = weights(r, inverse_r, a[3], b[3]);
-    store(above_zero(weight.par), &inputs.weight[first]);
+    store(weight.par < least ? least : weight.par, &inputs.weight[first]);
     if constexpr (across == Across::own)
-      store(above_zero(weight.perp), &inputs.weight_across[first]);
+      store(weight.perp < least ? least : weight.perp, &inputs.weight_across[first]);
   });
 }
 

@@ -40,7 +40,8 @@ struct ExpandedParticles {
   [[gnu::always_inline]] void* place(std::size_t local) const { return &particles[local]; }
   template <class LocalOf>
   [[gnu::always_inline]] ParticleLanes load(LocalOf const& local_of) const {
-    return ParticleLanes(load_lines([&](std::size_t l) [[gnu::always_inline]] { return place(local_of(l)); }));
+    return ParticleLanes(
+        load_lines([&](std::size_t l) [[gnu::always_inline]] { return place(local_of(l)); }));
   }
 
   struct StripCaloric {
@@ -133,30 +134,7 @@ class alignas(64) Strip {
     for (std::size_t k = 0; k < count_; k += wide_count) {
       auto const heat = each_half(k, [&](std::size_t n) [[gnu::always_inline]] { return heat_of(n); });
       store(heat[0], &heat_[k]), store(heat[1], &heat_[k + lane_count]);
-      PairsThermal const proposed = thermal(k, heat_there());
-      auto bits = [&](auto const& f) [[gnu::always_inline]] {
-        return join(std::array{f(k, 0), f(k + lane_count, 1)});
-      };
-      unsigned const present = count_ - k < wide_count ? (1u << (count_ - k)) - 1 : 0xffffu;
-      unsigned const in_reach = bits([&](std::size_t n, std::size_t h) [[gnu::always_inline]] {
-        return a_.caloric.at(n).in_reach(proposed.T_a[h]) & b_.caloric.at(n).in_reach(proposed.T_b[h]);
-      });
-      unsigned const in_domain = bits([&](std::size_t, std::size_t h) [[gnu::always_inline]] {
-        return less(Lanes{}, proposed.T_a[h]) & less(Lanes{}, proposed.T_b[h]);
-      });
-      GroupOutcome& outcome = outcomes_[k / wide_count];
-      if constexpr (scheme == PairScheme::ssa)
-        outcome = {.made = present,
-                   .exact = 0,
-                   .renew = present & ~(in_reach & in_domain),
-                   .test = 0,
-                   .out_of_domain = 0};
-      else
-        outcome = {.made = present & in_reach & in_domain,
-                   .exact = present & ~in_reach,
-                   .renew = 0,
-                   .test = 0,
-                   .out_of_domain = present & in_reach & ~in_domain};
+      outcomes_[k / wide_count] = outcome_of<scheme>(k);
     }
   }
 
@@ -182,11 +160,9 @@ class alignas(64) Strip {
   /// Gives the steps that are made to the particles.
   void write(Particles const& particles) const {
     for (std::size_t k = 0; k < count_; k += lane_count) {
-      auto half = [&](StripFloats const& change) [[gnu::always_inline]] {
-        return 0.5 * to_double(load<FloatLanes>(&change[k]));
-      };
-      auto const rows =
-          to_rows({half(change_x_), half(change_y_), half(change_z_), load<Lanes>(&heat_[k])});
+      auto half = [&](StripFloats const& change)
+                      [[gnu::always_inline]] { return 0.5 * to_double(load<FloatLanes>(&change[k])); };
+      auto const rows = to_rows({half(change_x_), half(change_y_), half(change_z_), load<Lanes>(&heat_[k])});
       auto add = [&](std::size_t l) [[gnu::always_inline]] {
         void *const a = particles.place(pairs_[k + l].i), *const b = particles.place(pairs_[k + l].j);
         store(load<Row>(a) + rows[l], a);
@@ -233,6 +209,33 @@ class alignas(64) Strip {
   [[gnu::always_inline]] static Lanes no_heat(std::size_t) { return Lanes{}; }
   [[gnu::always_inline]] auto heat_there() const {
     return [this](std::size_t k) [[gnu::always_inline]] { return load<Lanes>(&heat_[k]); };
+  }
+  /// What becomes of the sixteen pairs from k on when their particles gain the heat that was found.
+  template <PairScheme scheme>
+  [[gnu::always_inline]] GroupOutcome outcome_of(std::size_t k) const {
+    PairsThermal const proposed = thermal(k, heat_there());
+    auto bits = [&](auto const& f) [[gnu::always_inline]] {
+      return join(std::array{f(k, 0), f(k + lane_count, 1)});
+    };
+    unsigned const present = count_ - k < wide_count ? (1u << (count_ - k)) - 1 : 0xffffu;
+    unsigned const in_reach = bits([&](std::size_t n, std::size_t h) [[gnu::always_inline]] {
+      return a_.caloric.at(n).in_reach(proposed.T_a[h]) & b_.caloric.at(n).in_reach(proposed.T_b[h]);
+    });
+    unsigned const in_domain = bits([&](std::size_t, std::size_t h) [[gnu::always_inline]] {
+      return less(Lanes{}, proposed.T_a[h]) & less(Lanes{}, proposed.T_b[h]);
+    });
+    if constexpr (scheme == PairScheme::ssa)
+      return {.made = present,
+              .exact = 0,
+              .renew = present & ~(in_reach & in_domain),
+              .test = 0,
+              .out_of_domain = 0};
+    else
+      return {.made = present & in_reach & in_domain,
+              .exact = present & ~in_reach,
+              .renew = 0,
+              .test = 0,
+              .out_of_domain = present & in_reach & ~in_domain};
   }
   /// The pairs' state when both their particles have gained some heat.
   template <class Heat>

@@ -15,8 +15,8 @@ struct SelectionScratch {
 void select_pairs_and_distances(Neighbours& neighbours, std::size_t block, std::vector<Row> const& rows,
                                 SelectionScratch& scratch);
 
-/// The same in single precision, without distances: some pairs may be in it that are out of range by 1e-5 of
-/// it.
+/// The same in single precision, without distances: pairs that are out of range by up to 1e-5 reaches may be
+/// in it.
 void select_pairs(Neighbours& neighbours, std::size_t block, std::vector<FloatRow> const& rows,
                   SelectionScratch& scratch);
 

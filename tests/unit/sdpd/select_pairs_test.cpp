@@ -11,14 +11,20 @@
 namespace mesobridge::sdpd {
 namespace {
 
-Particles gas(Box const& box, std::size_t n) {
+/// Half of the particles anywhere, the others just inside or outside the range of a partner.
+Particles pairs_at_range(Box const& box, std::size_t n, double range) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> u(0, 1);
   Particles particles;
   particles.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     particles.id[i] = static_cast<std::uint32_t>(i);
-    particles.q[i] = {u(random) * box.edge.x, u(random) * box.edge.y, u(random) * box.edge.z};
+    if (i % 2 == 0)
+      particles.q[i] = {u(random) * box.edge.x, u(random) * box.edge.y, u(random) * box.edge.z};
+    else {
+      Vec3 const e{u(random) - 0.5, u(random) - 0.5, u(random) - 0.5};
+      particles.q[i] = particles.q[i - 1] + (1 + 3e-6 * (u(random) - 0.5)) * range / norm(e) * e;
+    }
   }
   return particles;
 }
@@ -38,9 +44,10 @@ std::vector<std::vector<std::pair<int, int>>> matchings(Neighbours& neighbours, 
 }
 
 TEST(SelectPairs, FindsTheSameMatchingsInSingleAndDoublePrecision) {
-  Box const box{{400, 400, 400}}; // an origin far away costs no digits
-  auto particles = gas(box, 9000);
-  Neighbours neighbours(box, 40, 10, 1);
+  Box const box{{80000, 120, 120}}; // places far from the origin cost no digits
+  double const range = 40;
+  auto particles = pairs_at_range(box, 60000, range);
+  Neighbours neighbours(box, range, 10, 1);
   neighbours.renew(particles);
   SelectionScratch scratch;
   std::vector<Row> rows;
@@ -48,8 +55,8 @@ TEST(SelectPairs, FindsTheSameMatchingsInSingleAndDoublePrecision) {
   std::size_t pairs = 0, more = 0;
   auto nothing = [](Index) { return 0.0; };
   for (std::size_t block = 0; block < neighbours.grid().blocks().size(); ++block) {
-    copy_rows(neighbours.members(block), particles.q, nothing, 80, rows);
-    copy_float_rows(neighbours.members(block), particles.q, nothing, 80, float_rows);
+    copy_rows(neighbours.members(block), particles.q, nothing, 2 * range, rows);
+    copy_float_rows(neighbours.members(block), particles.q, nothing, 2 * range, float_rows);
     select_pairs_and_distances(neighbours, block, rows, scratch);
     auto const exact = matchings(neighbours, block);
     select_pairs(neighbours, block, float_rows, scratch);
@@ -62,12 +69,13 @@ TEST(SelectPairs, FindsTheSameMatchingsInSingleAndDoublePrecision) {
     }
   }
   EXPECT_GT(pairs, 100000u);
-  EXPECT_LT(more, 3e-5 * 3 * pairs + 5) << "a shell of 1e-5 ranges holds 3e-5 of them";
+  EXPECT_GT(more, 5000u) << "partners just outside";
+  EXPECT_LT(more, 30000u) << "no others";
 }
 
 /// Neighbours next to the range, on both sides of it in single precision.
-TEST(PreparePairs, GivesNoWeightBelowZeroBesideTheRange) {
-  int looked_at = 0, at_zero = 0;
+TEST(PreparePairs, GivesSomeWeightBesideTheRange) {
+  int looked_at = 0, least = 0;
   for (char const* kernel : {"cubic", "lucy", "wendland-c2", "wendland-c4", "wendland-c6"}) {
     auto settings = ideal_gas(100, 0.01);
     settings.kernel = kernel;
@@ -88,13 +96,13 @@ TEST(PreparePairs, GivesNoWeightBelowZeroBesideTheRange) {
       prepare_pairs(*system, std::get<SdpdLaw>(system->law), block, pairs,
                     NoiseSource(1, Stream::fluctuation, 0), inputs);
       for (std::size_t k = 0; k < pairs.size(); ++k, ++looked_at) {
-        EXPECT_GE(inputs.weight[k], 0);
-        at_zero += inputs.weight[k] == 0;
+        EXPECT_GT(inputs.weight[k], 0);
+        least += inputs.weight[k] == 1e-30f;
       }
     }
   }
   EXPECT_GT(looked_at, 5 * 5000);
-  EXPECT_GT(at_zero, 0) << "some lie beyond it in single precision";
+  EXPECT_GT(least, 0) << "some lie beyond it in single precision";
 }
 
 } // namespace
