@@ -9,7 +9,9 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
   auto& self = *implementation_;
   self.file = std::move(file), self.safety = safety;
   auto const name = self.file.string();
-  auto const wait_for_others = [&](FileLock::Kind kind) { FileLock const held_for_a_moment(self.file, kind); };
+  auto const wait_for_others = [&](FileLock::Kind kind) {
+    FileLock const held_for_a_moment(self.file, kind);
+  };
   if (mode == Mode::create) {
     if (std::filesystem::exists(self.file))
       wait_for_others(FileLock::Kind::exclusive);
@@ -179,6 +181,10 @@ void Store::mark() {
   if (self.safety != Safety::marked)
     throw std::logic_error(fmt::format("'{}' was not opened to be marked", self.file.string()));
   self.journal.emplace(self.file);
+}
+
+void Store::mend(std::filesystem::path const& file) {
+  mend(file, FileLock::usual_patience(FileLock::Kind::exclusive));
 }
 
 void Store::mend(std::filesystem::path const& file, double patience) {

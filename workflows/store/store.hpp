@@ -73,8 +73,9 @@ class Store {
   std::filesystem::path const& file() const;
 
   /// Leads a marked file whose writer died back to its last mark; nothing happens to others. Throws
-  /// EnvironmentError when somebody still has it open after `patience` seconds.
-  static void mend(std::filesystem::path const& file, double patience = 15);
+  /// EnvironmentError when somebody still has it open after `patience` seconds, or those that writers wait.
+  static void mend(std::filesystem::path const& file, double patience);
+  static void mend(std::filesystem::path const& file);
 
   /// Rows that a growing dataset takes room for at a time, by the bytes of a row: chunks of about 64 kB,
   /// large enough for the disk, small enough that a short series wastes little.
