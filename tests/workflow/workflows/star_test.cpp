@@ -272,7 +272,7 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
       {{"md", "star-melt", "--star", "13-3"}, 2, "1 ... 12"},
       {{"md", "star-melt", "--rho", "2"}, 2, "rho"},
       {{"md", "star-melt", "--molecules", "20", "--rho", "0.5"}, 2, "more molecules"},
-      {{"md", "star-melt", "--dt", "0.02", "--T", "10", "--molecules", "64", "--ranks", "1"},
+      {{"md", "star-melt", "--dt", "0.02", "--T", "10", "--molecules", "100", "--ranks", "1"},
        3,
        "A shorter --dt"},
       {{"md", "star-vacuum", "--dt", "0.02", "--T", "10", "--molecules", "27", "--ranks", "1"},
