@@ -21,7 +21,7 @@ ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
   plan.microcanonical_steps = 30000;
   // Twice the thesis's: the energy still keeps to 1e-4 k_B T a bead.
   plan.melt.dt = plan.vacuum.dt = 0.002;
-  // Boxes are wider than straight 6-12 stars.
+  // Boxes of the densest 6-12 melts are as small as they may be: their length is what they need most.
   // The energies of thin melts forget slowly, and so do the local densities of dense ones of large molecules
   // (100 time units for 6-12 stars at rho = 0.5): they are followed for longer, for 48 such times at least.
   // The first melt is the one in which pairs in contact are looked at closely.
@@ -41,8 +41,8 @@ ChapterPlan chapter_plan(md::Preset preset, std::uint64_t seed) {
                      {{.rho = 0.3, .molecules = 343, .sampling_steps = 800000},
                       {.rho = 0.1, .molecules = 216, .sampling_steps = 1000000},
                       {.rho = 0.2, .molecules = 300, .sampling_steps = 550000},
-                      {.rho = 0.4, .molecules = 250, .sampling_steps = 1650000},
-                      {.rho = 0.5, .molecules = 250, .sampling_steps = 2850000}}}};
+                      {.rho = 0.4, .molecules = 160, .sampling_steps = 1650000},
+                      {.rho = 0.5, .molecules = 160, .sampling_steps = 2850000}}}};
   if (preset == md::Preset::paper) {
     plan.melt.dt = plan.vacuum.dt = 0.001;
     plan.melt.equilibration_steps = 100000;
