@@ -14,6 +14,7 @@ namespace {
 constexpr double energy_tolerance = 0.01;
 /// Steps between two looks at whether the user wants to stop.
 constexpr std::int64_t piece = 100;
+
 double lattice_spacing(StarMeltSettings const& settings) {
   // A melt thinner than the closest lattice starts at its own density.
   StarLattice const lattice{.star = settings.star, .molecules = settings.molecules, .spacing = 1};

@@ -13,38 +13,25 @@ void for_each_member(BlockMembers const& members, F&& f) {
       f(local, i, cell.shift);
 }
 
-/// Positions of a block's particles with one more quantity each, as rows. Two places follow the last
-/// particle: a pair of phantoms with the quantity 0 at distance `apart`, which fill the lanes that a number
-/// of pairs leaves over.
-template <class Quantity>
+/// Positions of a block's particles with one more quantity each, as rows; those of single precision relative
+/// to the first particle. Two places follow the last particle: a pair of phantoms with the quantity 0 at
+/// distance `apart`, which fill the lanes that a number of pairs leaves over.
+template <class AnyRow, class Quantity>
 void copy_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity const& quantity, double apart,
-               std::vector<Row>& rows) {
-  std::size_t const n = size(members);
-  rows.resize(n + 2);
-  for_each_member(members, [&](std::size_t local, Index i, Vec3 const& shift) {
-    rows[local] = Row{q[i].x + shift.x, q[i].y + shift.y, q[i].z + shift.z, quantity(i)};
-  });
-  rows[n] = Row{};
-  rows[n + 1] = Row{apart};
-}
-
-/// Positions relative to the first particle with one more quantity each; then, as in copy_rows, a phantom
-/// pair.
-template <class Quantity>
-void copy_float_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity const& quantity,
-                     double apart, std::vector<FloatRow>& rows) {
+               std::vector<AnyRow>& rows) {
   std::size_t const n = size(members);
   rows.resize(n + 2);
   Vec3 origin;
   for_each_member(members, [&](std::size_t local, Index i, Vec3 const& shift) {
-    if (local == 0)
-      origin = q[i] + shift;
-    Row const row{q[i].x + (shift.x - origin.x), q[i].y + (shift.y - origin.y), q[i].z + (shift.z - origin.z),
-                  quantity(i)};
-    rows[local] = __builtin_convertvector(row, FloatRow);
+    if constexpr (std::is_same_v<AnyRow, FloatRow>)
+      if (local == 0)
+        origin = q[i] + shift;
+    Vec3 const to_place = shift - origin;
+    rows[local] = __builtin_convertvector(
+        (Row{q[i].x + to_place.x, q[i].y + to_place.y, q[i].z + to_place.z, quantity(i)}), AnyRow);
   });
-  rows[n] = FloatRow{};
-  rows[n + 1] = FloatRow{static_cast<float>(apart)};
+  rows[n] = AnyRow{};
+  rows[n + 1] = __builtin_convertvector((Row{apart, 0, 0, 0}), AnyRow);
 }
 
 /// A list of pairs in groups of `length`: calls f(pairs, first, count) with a pointer to that many pairs, the

@@ -93,17 +93,6 @@ template <class X>
 #endif
 }
 
-/// Distances from their squares. Two particles in one place count as 1e-145 apart, so that e = 0.
-struct DistanceLanes {
-  Lanes r, inverse_r;
-
-  [[gnu::always_inline]] explicit DistanceLanes(Lanes const& r2) {
-    Lanes const least = broadcast(1e-290), safe = r2 < least ? least : r2;
-    inverse_r = inverse_square_root(safe);
-    r = safe * inverse_r;
-  }
-};
-
 /// Bit l is set where a < b in lane l.
 [[gnu::always_inline]] inline unsigned less(Lanes const& a, Lanes const& b) {
 #ifdef __AVX512VL__

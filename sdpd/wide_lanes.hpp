@@ -46,16 +46,20 @@ template <class To, class From>
 #endif
 }
 
-/// Distances from their squares. Two particles in one place count as 1e-15 apart, so that e = 0.
-struct WideDistances {
-  WideFloats r, inverse_r;
+/// Distances from their squares. Two particles in one place count as sqrt(least) apart, so that e = 0.
+template <class X>
+struct Distances {
+  static constexpr double least = std::is_same_v<X, Lanes> ? 1e-290 : 1e-30;
+  X r, inverse_r;
 
-  [[gnu::always_inline]] explicit WideDistances(WideFloats const& r2) {
-    WideFloats const least = 1e-30f - WideFloats{}, safe = r2 < least ? least : r2;
+  [[gnu::always_inline]] explicit Distances(X const& r2) {
+    X const smallest = constant<X>(least), safe = r2 < smallest ? smallest : r2;
     inverse_r = inverse_square_root(safe);
     r = safe * inverse_r;
   }
 };
+using DistanceLanes = Distances<Lanes>;
+using WideDistances = Distances<WideFloats>;
 
 /// Bit l is set where a < b in lane l.
 [[gnu::always_inline]] inline unsigned less(WideFloats const& a, WideFloats const& b) {

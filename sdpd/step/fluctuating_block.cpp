@@ -11,7 +11,7 @@ void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
   // A distance beside the range may round past it, where some kernels are below zero. Pairs with one weight
   // for both directions keep some, because the Metropolis test asks for a density of their noise.
-  WideFloats const least = constant<WideFloats>(across == Across::common ? 1e-30 : 0);
+  auto const least = constant<WideFloats>(across == Across::common ? 1e-30 : 0);
   for_each_group<wide_count>(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
     auto const a = load_wide_rows([&](std::size_t l) { return &rows[pair[l].i]; });
     auto const b = load_wide_rows([&](std::size_t l) { return &rows[pair[l].j]; });
@@ -41,7 +41,7 @@ struct PairBits {
       : PairBits(gather(ids, places & 0xffffu), gather(ids, places >> 16), source) {}
   [[gnu::always_inline]] PairBits(WideBits const& a, WideBits const& b, NoiseLanes const& source)
       : word(source.generate(a < b ? a : b, a < b ? b : a)) {
-    WideFloats const plus = 1.0f - WideFloats{};
+    auto const plus = constant<WideFloats>(1);
     sign = a < b ? plus : -plus;
   }
 };
@@ -90,10 +90,10 @@ void BlockGeometry::copy_geometry(System const& system, std::size_t block) {
   size_ = sdpd::size(members_);
   double const in_range = 0.5 * system.neighbours.range();
   if (from.rho.empty())
-    copy_float_rows(
+    copy_rows(
         members_, from.q, [](Index) { return 0.0; }, in_range, rows_);
   else
-    copy_float_rows(
+    copy_rows(
         members_, from.q, [&](Index i) { return 1 / from.rho[i]; }, in_range, rows_);
   ids_.resize(size_);
   for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) { ids_[local] = from.id[i]; });

@@ -101,7 +101,7 @@ void find_pair_forces(System& system, Potential const& potential) {
     auto const members = neighbours.members(block);
     copy_rows(
         members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.rows);
-    copy_float_rows(
+    copy_rows(
         members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.float_rows);
     select_pairs(neighbours, block, scratch.float_rows, scratch.selection);
     auto const sums = find_block_forces(system, potential, block, members, scratch, failure);

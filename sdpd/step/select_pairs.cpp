@@ -57,8 +57,8 @@ void select_pairs_and_distances(Neighbours& neighbours, std::size_t block, std::
 void select_pairs(Neighbours& neighbours, std::size_t block, std::vector<FloatRow> const& rows,
                   SelectionScratch& scratch) {
   // Wider by more than single precision errs within a block, which is a few reaches wide.
-  auto const range = static_cast<float>(neighbours.range() + 1e-5 * neighbours.reach());
-  WideFloats const range2 = range * range - WideFloats{};
+  double const range = neighbours.range() + 1e-5 * neighbours.reach();
+  auto const range2 = constant<WideFloats>(range * range);
   LocalPair* const room = neighbours.pair_room(block).data();
   select<wide_count>(neighbours, block, rows.size() - 2, scratch,
                      [&](LocalPair const* pair, std::size_t found) {

@@ -4,6 +4,7 @@
 #include "sdpd/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -56,7 +57,7 @@ TEST(SelectPairs, FindsTheSameMatchingsInSingleAndDoublePrecision) {
   auto nothing = [](Index) { return 0.0; };
   for (std::size_t block = 0; block < neighbours.grid().blocks().size(); ++block) {
     copy_rows(neighbours.members(block), particles.q, nothing, 2 * range, rows);
-    copy_float_rows(neighbours.members(block), particles.q, nothing, 2 * range, float_rows);
+    copy_rows(neighbours.members(block), particles.q, nothing, 2 * range, float_rows);
     select_pairs_and_distances(neighbours, block, rows, scratch);
     auto const exact = matchings(neighbours, block);
     select_pairs(neighbours, block, float_rows, scratch);
