@@ -1,17 +1,15 @@
 #include "md/rank_launcher.hpp"
+#include "md/child_process.hpp"
 #include "md/error.hpp"
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <string_view>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,30 +42,8 @@ std::vector<std::string> mpirun_command(std::string const& mpirun, int ranks,
   return command;
 }
 
-/// Only signal-safe calls happen between fork and exec, so everything is prepared before.
-std::vector<char*> pointers(std::vector<std::string>& words) {
-  std::vector<char*> result;
-  for (auto& word : words)
-    result.push_back(word.data());
-  result.push_back(nullptr);
-  return result;
-}
-
-/// Whether a variable describes the MPI world of this very process, in which mpirun would take itself for a
-/// rank.
-bool belongs_to_this_world(std::string_view variable) {
-  for (std::string_view start : {"PMIX_", "ORTE_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
-                                 "OMPI_COMM_", "OMPI_APP_", "OMPI_NUM_", "OMPI_UNIVERSE_", "OMPI_FIRST_"})
-    if (variable.starts_with(start))
-      return true;
-  return false;
-}
-
-std::vector<std::string> environment_for_ranks() {
+std::vector<std::string> variables_for_ranks() {
   std::vector<std::string> result;
-  for (char** variable = environ; *variable; ++variable)
-    if (!belongs_to_this_world(*variable))
-      result.emplace_back(*variable);
   if (geteuid() == 0) { // Open MPI asks root twice
     result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
     result.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
@@ -103,18 +79,6 @@ class HeldSignals {
  private:
   sigset_t held_, before_;
 };
-
-[[noreturn]] void become(std::vector<char*> const& command, std::vector<char*> const& environment,
-                         sigset_t const& signals) {
-  // A group of its own, so that Ctrl-C reaches mpirun once, from us; and no life longer than ours.
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  int const nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, 0);
-  pthread_sigmask(SIG_SETMASK, &signals, nullptr);
-  execve(command[0], command.data(), environment.data());
-  _exit(127);
-}
 
 /// Signals the ranks themselves, mpirun's children. mpirun would follow an interrupt of its own by a kill
 /// within a second, too soon for a checkpoint.
@@ -167,16 +131,11 @@ bool reaches_terminal(int descriptor) {
 int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
   require(ranks >= 1, "ranks", ranks, "must be at least 1");
   require(!argv.empty(), "program to start on ranks", "", "must be given");
-  auto words = mpirun_command(find_program("mpirun"), ranks, argv);
-  auto variables = environment_for_ranks();
-  auto const command = pointers(words), environment = pointers(variables);
-
+  auto const command = mpirun_command(find_program("mpirun"), ranks, argv);
   HeldSignals const signals;
-  pid_t const child = fork();
-  if (child < 0)
-    throw EnvironmentError(fmt::format("mpirun could not be started: {}", std::strerror(errno)));
-  if (child == 0)
-    become(command, environment, signals.before());
+  pid_t const child = start_child(
+      command,
+      {.variables = variables_for_ranks(), .descriptor = std::nullopt, .signal_mask = signals.before()});
 
   auto const [status, interrupted] = wait_for(child, signals);
   if (interrupted)

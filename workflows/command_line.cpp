@@ -7,6 +7,9 @@
 #include "workflows/version.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <omp.h>
 #include <spdlog/logger.h>
@@ -136,12 +139,21 @@ void print(Result const& result, bool json) {
     throw EnvironmentError(result.complaint);
 }
 
+/// The way to the process that watches this one; nothing where none does.
+std::shared_ptr<std::ostream> open_reports() {
+  char const* const descriptor = std::getenv(reports_variable);
+  if (!descriptor)
+    return nullptr;
+  std::signal(SIGPIPE, SIG_IGN); // who watches may die first, and this process still has a checkpoint to write
+  return std::make_shared<std::ofstream>(fmt::format("/proc/self/fd/{}", descriptor));
+}
+
 Context make_context(CommonOptions const& options, Words const& arguments) {
   auto log =
       std::make_shared<spdlog::logger>("mesobridge", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   log->set_pattern("%v");
   log->set_level(options.quiet ? spdlog::level::warn : spdlog::level::info);
-  return {.options = options, .arguments = arguments, .log = std::move(log)};
+  return {.options = options, .arguments = arguments, .log = std::move(log), .reports = open_reports()};
 }
 
 void run(Words const& arguments, std::vector<Command> const& commands) {

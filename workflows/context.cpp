@@ -5,6 +5,8 @@
 namespace mesobridge::workflows {
 
 Progress Context::progress(std::string title, double total) const {
+  if (reports)
+    return Progress(Progress::Style::reports, *reports, std::move(title), total);
   auto const style = options.quiet ? Progress::Style::quiet : Progress::style_of_stderr();
   return Progress(style, std::cerr, std::move(title), total);
 }

@@ -11,8 +11,17 @@ namespace {
 
 constexpr auto bar_interval = std::chrono::milliseconds(100);
 constexpr auto line_interval = std::chrono::seconds(10);
+constexpr auto report_interval = std::chrono::seconds(1);
 constexpr int bar_width = 30;
 constexpr char const* erase_line = "\r\033[K";
+
+Progress::Clock::duration interval_of(Progress::Style style) {
+  switch (style) {
+    case Progress::Style::bar: return bar_interval;
+    case Progress::Style::reports: return report_interval;
+    default: return line_interval;
+  }
+}
 
 } // namespace
 
@@ -44,8 +53,7 @@ void Progress::update(double done, std::string const& note) {
   auto const now = now_();
   if (!first_)
     first_ = Instant{now, done};
-  auto const interval = style_ == Style::bar ? Clock::duration(bar_interval) : Clock::duration(line_interval);
-  if (now - drawn_ < interval)
+  if (now - drawn_ < interval_of(style_))
     return;
   drawn_ = now;
   draw(now, done, note);
@@ -61,6 +69,10 @@ std::string Progress::left(Clock::time_point now, double done) const {
 
 void Progress::draw(Clock::time_point now, double done, std::string const& note) {
   double const fraction = std::clamp(done / total_, 0.0, 1.0);
+  if (style_ == Style::reports) {
+    *out_ << fmt::format("{:.6f}\n", fraction) << std::flush;
+    return;
+  }
   auto const tail = note.empty() ? "" : " · " + note;
   if (style_ == Style::bar) {
     auto const filled = static_cast<std::size_t>(fraction * bar_width);
@@ -77,7 +89,7 @@ void Progress::finish() {
   if (finished_)
     return;
   finished_ = true;
-  if (style_ == Style::quiet)
+  if (style_ == Style::quiet || style_ == Style::reports)
     return;
   double const elapsed = std::chrono::duration<double>(now_() - start_).count();
   if (style_ == Style::bar)

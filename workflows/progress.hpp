@@ -7,12 +7,17 @@
 
 namespace mesobridge::workflows {
 
+/// A process that another one watches finds here the descriptor to which it writes the part of its work that
+/// is done, 0 ... 1, a line each time.
+constexpr char const* reports_variable = "MESOBRIDGE_REPORTS";
+
 /// Shows how far a long piece of work is and how long it will still take: a bar that is redrawn on a
-/// terminal, a plain line every 10 s elsewhere, nothing when quiet.
+/// terminal, a plain line every 10 s elsewhere, nothing when quiet; a process that is watched reports every
+/// second to the one that watches.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
-  enum class Style { bar, lines, quiet };
+  enum class Style { bar, lines, reports, quiet };
 
   /// The total is in any unit of work (> 0); the clock can be replaced in tests.
   Progress(Style style, std::ostream& out, std::string title, double total,

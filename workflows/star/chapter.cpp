@@ -1,5 +1,6 @@
 #include "workflows/star/chapter.hpp"
 #include "cg/too_short.hpp"
+#include "workflows/star/chapter_runs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
@@ -9,56 +10,20 @@ namespace mesobridge::workflows {
 
 namespace {
 
-/// The frames that a finished run of these settings has left there; -1 without one.
-std::int64_t frames_there(std::filesystem::path const& summary, std::string const& fingerprint) {
-  if (!std::filesystem::exists(summary))
-    return -1;
-  auto const json = Json::parse(read_text_file(summary), nullptr, false);
-  bool const same = !json.is_discarded() && json.value("settings", "") == fingerprint;
-  return same ? json.value("frames", std::int64_t{-1}) : -1;
-}
-
-/// Whether there is a checkpoint to go on from. What other settings have left there is not replaced unasked.
-bool to_be_resumed(std::filesystem::path const& blobs, std::filesystem::path const& checkpoint,
-                   std::string const& fingerprint) {
-  if (!std::filesystem::exists(checkpoint) || !std::filesystem::exists(blobs))
-    return false;
-  Store::mend(blobs);
-  if (auto const was = read_blob_head(blobs).fingerprint; was != fingerprint)
-    throw InputError(fmt::format("'{}' is of a run with other settings ({}): remove it or choose another "
-                                 "folder with -o",
-                                 blobs.string(), was));
-  return true;
-}
-
-std::filesystem::path make_folder(std::filesystem::path const& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw EnvironmentError(fmt::format("cannot create directory '{}': {}", folder.string(), error.message()));
-  return folder;
-}
-
-MeltJob melt_run(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPlan::Melt const& melt,
-                 std::filesystem::path const& directory, Context const& context) {
+MeltJob melt_job(ChapterPlan const& plan, md::StarPolymer const& star, ChapterPlan::Melt const& melt,
+                 std::filesystem::path const& directory) {
   MeltJob job{.settings = melt_settings(plan, star, melt)};
-  job.settings.directory = make_folder(directory / fmt::format("melt-{}-{}", star.name(), melt.rho));
-  if (frames_there(job.summary(), job.settings.fingerprint()) >= md::frames_of(job.settings))
-    return job;
-  job.resume = to_be_resumed(job.blobs(), job.settings.restart_file(), job.settings.fingerprint());
-  sample_melt_on_ranks(job, context);
+  job.settings.directory = directory / fmt::format("melt-{}-{}", star.name(), melt.rho);
   return job;
 }
 
-BlobData vacuum_data(md::StarVacuumSettings settings, std::filesystem::path const& directory,
-                     Context const& context) {
-  settings.directory = make_folder(directory / ("vacuum-" + settings.star.name()));
-  VacuumJob job{.settings = settings};
-  if (frames_there(job.summary(), settings.fingerprint()) < 0) {
-    job.resume = to_be_resumed(job.blobs(), settings.restart_file(), settings.fingerprint());
-    sample_vacuum_on_ranks(job, context);
-  }
-  return read_blobs(job.blobs());
+/// The isolated molecule at the temperatures of the plan.
+VacuumJob canonical_job(ChapterPlan const& plan, md::StarPolymer const& star,
+                        std::filesystem::path const& directory) {
+  VacuumJob job{.settings = plan.vacuum};
+  job.settings.star = star;
+  job.settings.directory = directory / ("vacuum-" + star.name());
+  return job;
 }
 
 /// Energies at which the molecule is run without a thermostat: the means at the temperatures and between
@@ -80,19 +45,40 @@ std::vector<double> energies_of(BlobData const& canonical) {
   return energies;
 }
 
-struct VacuumRuns {
-  BlobData canonical, microcanonical;
+/// The isolated molecule at set energies, which its canonical run tells.
+VacuumJob microcanonical_job(ChapterPlan const& plan, VacuumJob const& canonical) {
+  VacuumJob job = canonical;
+  job.settings.ensemble = md::VacuumEnsemble::microcanonical;
+  job.settings.levels = energies_of(read_blobs(canonical.blobs()));
+  job.settings.sampling_steps = plan.microcanonical_steps;
+  return job;
+}
+
+/// The runs of one molecule.
+struct MoleculeJobs {
+  VacuumJob canonical, microcanonical;
+  std::vector<MeltJob> melts;
 };
 
-VacuumRuns vacuum_runs(ChapterPlan const& plan, md::StarPolymer const& star,
-                       std::filesystem::path const& directory, Context const& context) {
-  auto settings = plan.vacuum;
-  settings.star = star;
-  auto canonical = vacuum_data(settings, directory, context);
-  settings.ensemble = md::VacuumEnsemble::microcanonical;
-  settings.levels = energies_of(canonical);
-  settings.sampling_steps = plan.microcanonical_steps;
-  return {std::move(canonical), vacuum_data(settings, directory, context)};
+/// Makes what is missing of the runs that the plan names.
+std::vector<MoleculeJobs> make_runs_of(ChapterPlan const& plan, std::filesystem::path const& directory,
+                                       Context const& context) {
+  std::vector<VacuumJob> canonical, microcanonical;
+  for (auto const& molecule : plan.molecules)
+    canonical.push_back(canonical_job(plan, molecule.star, directory));
+  make_runs({}, canonical, context);
+  std::vector<MoleculeJobs> jobs;
+  std::vector<MeltJob> melts;
+  for (std::size_t k = 0; k < plan.molecules.size(); ++k) {
+    auto const& [star, list] = plan.molecules[k];
+    microcanonical.push_back(microcanonical_job(plan, canonical[k]));
+    jobs.push_back({canonical[k], microcanonical[k], {}});
+    for (auto const& melt : list)
+      jobs[k].melts.push_back(melt_job(plan, star, melt, directory));
+    melts.insert(melts.end(), jobs[k].melts.begin(), jobs[k].melts.end());
+  }
+  make_runs(melts, microcanonical, context);
+  return jobs;
 }
 
 /// A length of at least that time and a little more, which ends with a checkpoint.
@@ -102,10 +88,10 @@ std::int64_t steps_for(double time, md::StarMeltSettings const& settings) {
   return std::int64_t(std::ceil(margin * time / settings.dt / every) * every);
 }
 
-ChapterMelt analysed(MeltJob const& job, VacuumRuns const& vacuum) {
+ChapterMelt analysed(MeltJob const& job, BlobData const& canonical, BlobData const& microcanonical) {
   auto data = read_blobs(job.blobs());
-  auto entropy = entropy_routes(
-      {.melt = data, .vacuum = vacuum.canonical, .microcanonical = vacuum.microcanonical, .order = 3});
+  auto entropy =
+      entropy_routes({.melt = data, .vacuum = canonical, .microcanonical = microcanonical, .order = 3});
   double const h = default_h(data.head);
   auto const series = series_of(std::move(data));
   double const half_edge = series.boxes.front().edge.x / 2;
@@ -119,28 +105,26 @@ ChapterMelt analysed(MeltJob const& job, VacuumRuns const& vacuum) {
 
 } // namespace
 
-Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& directory, Context const& context) {
-  for (bool const first : {true, false}) // what tells most is there first, should the run be interrupted
-    for (auto const& [star, melts] : plan.molecules) {
-      vacuum_runs(plan, star, directory, context);
-      for (std::size_t k = first ? 0 : 1; k < (first ? 1 : melts.size()); ++k)
-        melt_run(plan, star, melts[k], directory, context);
-    }
-  Chapter chapter;
-  for (auto const& [star, melts] : plan.molecules) {
-    auto const vacuum = vacuum_runs(plan, star, directory, context);
-    for (auto melt : melts)
-      for (bool enough = false; !enough;) {
-        auto const job = melt_run(plan, star, melt, directory, context);
+Chapter run_chapter(ChapterPlan plan, std::filesystem::path const& directory, Context const& context) {
+  for (;;) {
+    auto const jobs = make_runs_of(plan, directory, context);
+    Chapter chapter;
+    bool enough = true;
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      auto const canonical = read_blobs(jobs[k].canonical.blobs());
+      auto const microcanonical = read_blobs(jobs[k].microcanonical.blobs());
+      for (std::size_t m = 0; m < jobs[k].melts.size(); ++m)
         try {
-          chapter.melts.push_back(analysed(job, vacuum));
-          enough = true;
+          chapter.melts.push_back(analysed(jobs[k].melts[m], canonical, microcanonical));
         } catch (cg::TooShort const& error) { // its memory is longer than was planned for
-          melt.sampling_steps = steps_for(error.needed_time, job.settings);
+          plan.molecules[k].melts[m].sampling_steps =
+              steps_for(error.needed_time, jobs[k].melts[m].settings);
+          enough = false;
         }
-      }
+    }
+    if (enough)
+      return chapter;
   }
-  return chapter;
 }
 
 cg::Estimate heat_capacity_difference(ChapterMelt const& melt) {

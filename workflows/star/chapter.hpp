@@ -17,7 +17,7 @@ struct ChapterPlan {
   };
   struct Molecule {
     md::StarPolymer star;
-    std::vector<Melt> melts; ///< the first one is told in full, and made before the others
+    std::vector<Melt> melts; ///< the first one is told in full
   };
   std::vector<Molecule> molecules;
   md::StarMeltSettings melt;     ///< but for star, density, molecules, length, directory
@@ -46,7 +46,8 @@ struct Chapter {
 };
 
 /// Makes the runs that are not there yet (an interrupted one goes on from its checkpoint) and analyses them.
-Chapter run_chapter(ChapterPlan const& plan, std::filesystem::path const& directory, Context const& context);
+/// Melts that turn out too short for standard errors go on for as long as they need.
+Chapter run_chapter(ChapterPlan plan, std::filesystem::path const& directory, Context const& context);
 
 /// C of the melt over that of the isolated molecule, minus 1.
 cg::Estimate heat_capacity_difference(ChapterMelt const& melt);

@@ -119,9 +119,7 @@ void sample_melt(MeltJob const& job, Context const& context) {
   });
 }
 
-namespace {
-
-std::vector<std::string> melt_words(MeltJob const& job) {
+std::vector<std::string> words_of(MeltJob const& job) {
   auto const& s = job.settings;
   std::vector<std::string> words{"md", "star-melt", "--star", s.star.name(), "--started-by-ourselves"};
   auto const add = [&](char const* option, auto value) {
@@ -145,10 +143,8 @@ std::vector<std::string> melt_words(MeltJob const& job) {
   return words;
 }
 
-} // namespace
-
 void sample_melt_on_ranks(MeltJob const& job, Context const& context) {
-  work_on_ranks(context, melt_words(job), [&] { sample_melt(job, context); });
+  work_on_ranks(context, words_of(job), [&] { sample_melt(job, context); });
 }
 
 } // namespace mesobridge::workflows

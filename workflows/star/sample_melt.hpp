@@ -21,4 +21,7 @@ void sample_melt(MeltJob const& job, Context const& context);
 /// The same on as many ranks as the context asks for, by starting this program anew if need be.
 void sample_melt_on_ranks(MeltJob const& job, Context const& context);
 
+/// The words that have this program make the run and print no result.
+std::vector<std::string> words_of(MeltJob const& job);
+
 } // namespace mesobridge::workflows

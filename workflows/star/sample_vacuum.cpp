@@ -115,30 +115,6 @@ Json summary_of(VacuumJob const& job) {
   return json;
 }
 
-std::vector<std::string> vacuum_words(VacuumJob const& job) {
-  auto const& s = job.settings;
-  std::vector<std::string> words{"md", "star-vacuum", "--star", s.star.name(), "--started-by-ourselves"};
-  words.emplace_back(s.ensemble == md::VacuumEnsemble::canonical ? "--T" : "--U");
-  for (double level : s.levels)
-    words.push_back(fmt::format("{}", level));
-  auto const add = [&](char const* option, auto value) {
-    words.emplace_back(option);
-    words.push_back(fmt::format("{}", value));
-  };
-  add("--molecules", s.molecules);
-  add("--dt", s.dt);
-  add("--redraw-every", s.redraw_every);
-  add("--equilibration-steps", s.equilibration_steps);
-  add("--sampling-steps", s.sampling_steps);
-  add("--sample-every", s.sample_every);
-  add("--checkpoint-every", s.checkpoint_every);
-  add("--seed", s.seed);
-  add("-o", s.directory.string());
-  if (job.resume)
-    words.emplace_back("--resume");
-  return words;
-}
-
 } // namespace
 
 std::filesystem::path VacuumJob::blobs() const {
@@ -162,8 +138,32 @@ void sample_vacuum(VacuumJob const& job, Context const& context) {
   });
 }
 
+std::vector<std::string> words_of(VacuumJob const& job) {
+  auto const& s = job.settings;
+  std::vector<std::string> words{"md", "star-vacuum", "--star", s.star.name(), "--started-by-ourselves"};
+  words.emplace_back(s.ensemble == md::VacuumEnsemble::canonical ? "--T" : "--U");
+  for (double level : s.levels)
+    words.push_back(fmt::format("{}", level));
+  auto const add = [&](char const* option, auto value) {
+    words.emplace_back(option);
+    words.push_back(fmt::format("{}", value));
+  };
+  add("--molecules", s.molecules);
+  add("--dt", s.dt);
+  add("--redraw-every", s.redraw_every);
+  add("--equilibration-steps", s.equilibration_steps);
+  add("--sampling-steps", s.sampling_steps);
+  add("--sample-every", s.sample_every);
+  add("--checkpoint-every", s.checkpoint_every);
+  add("--seed", s.seed);
+  add("-o", s.directory.string());
+  if (job.resume)
+    words.emplace_back("--resume");
+  return words;
+}
+
 void sample_vacuum_on_ranks(VacuumJob const& job, Context const& context) {
-  work_on_ranks(context, vacuum_words(job), [&] { sample_vacuum(job, context); });
+  work_on_ranks(context, words_of(job), [&] { sample_vacuum(job, context); });
 }
 
 } // namespace mesobridge::workflows

@@ -20,4 +20,7 @@ void sample_vacuum(VacuumJob const& job, Context const& context);
 /// The same on as many ranks as the context asks for, by starting this program anew if need be.
 void sample_vacuum_on_ranks(VacuumJob const& job, Context const& context);
 
+/// The words that have this program make the run and print no result.
+std::vector<std::string> words_of(VacuumJob const& job);
+
 } // namespace mesobridge::workflows

@@ -1,0 +1,194 @@
+#include "workflows/farm.hpp"
+#include "md/child_process.hpp"
+#include "md/error.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/ranks.hpp"
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/ranges.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+constexpr int patience_ms = 250;
+
+/// A pipe by which a child tells how far it is.
+struct Pipe {
+  int reads = -1, writes = -1;
+  Pipe() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0)
+      throw EnvironmentError(fmt::format("cannot create a pipe: {}", std::strerror(errno)));
+    reads = ends[0], writes = ends[1];
+  }
+};
+
+/// One run that goes on.
+class RunningChild {
+ public:
+  explicit RunningChild(FarmedRun const& run) : run_(&run) {
+    Pipe const pipe;
+    process_ = md::start_child(run.argv, {.variables = {fmt::format("{}={}", reports_variable, pipe.writes)},
+                                          .descriptor = pipe.writes,
+                                          .signal_mask = std::nullopt});
+    close(pipe.writes);
+    reports_ = pipe.reads;
+  }
+  RunningChild(RunningChild&& other) noexcept
+      : run_(other.run_), process_(other.process_), reports_(std::exchange(other.reports_, -1)),
+        text_(std::move(other.text_)), done_(other.done_) {}
+  RunningChild& operator=(RunningChild&& other) noexcept {
+    std::swap(run_, other.run_), std::swap(process_, other.process_), std::swap(reports_, other.reports_);
+    std::swap(text_, other.text_), std::swap(done_, other.done_);
+    return *this;
+  }
+  ~RunningChild() {
+    if (reports_ >= 0)
+      close(reports_);
+  }
+
+  /// The work done so far, by the last report.
+  double done() const { return done_ * run_->work; }
+  FarmedRun const& run() const { return *run_; }
+  int reports() const { return reports_; }
+  void ask_to_stop() const { kill(process_, SIGINT); }
+
+  void take_reports() {
+    char buffer[4096];
+    for (ssize_t size = 0; (size = read(reports_, buffer, sizeof buffer)) > 0;)
+      text_.append(buffer, std::size_t(size));
+    for (std::size_t end = 0; (end = text_.find('\n')) != std::string::npos; text_.erase(0, end + 1))
+      done_ = std::strtod(text_.c_str(), nullptr);
+  }
+
+  /// Its wait status once it has ended.
+  std::optional<int> ended() const {
+    int status = 0;
+    pid_t const process = waitpid(process_, &status, WNOHANG);
+    if (process < 0 && errno != EINTR)
+      throw EnvironmentError(fmt::format("the process of '{}' was lost: {}", fmt::join(run_->argv, " "),
+                                         std::strerror(errno)));
+    return process == process_ ? std::optional(status) : std::nullopt;
+  }
+
+ private:
+  FarmedRun const* run_;
+  pid_t process_ = 0;
+  int reports_ = -1;
+  std::string text_;
+  double done_ = 0;
+};
+
+class Farm {
+ public:
+  Farm(std::vector<FarmedRun> runs, int at_once) : runs_(std::move(runs)), at_once_(std::size_t(at_once)) {
+    std::stable_sort(runs_.begin(), runs_.end(), [](auto& a, auto& b) { return a.work > b.work; });
+    for (auto const& run : runs_)
+      all_work_ += run.work;
+  }
+
+  void work(Progress& progress) {
+    while (begin_more() || !children_.empty()) {
+      wait();
+      std::erase_if(children_, [&](RunningChild& child) { return take(child); });
+      progress.update(done() / all_work_, fmt::format("{} of {} runs done", ended_, runs_.size()));
+      if (interrupt_requested())
+        stop();
+    }
+    if (failure_)
+      std::rethrow_exception(failure_);
+    if (stopped_)
+      throw Interrupted("interrupted; the same command goes on from the checkpoints");
+    progress.finish();
+  }
+
+ private:
+  bool begin_more() {
+    while (!stopped_ && begun_ < runs_.size() && children_.size() < at_once_)
+      children_.emplace_back(runs_[begun_++]);
+    return !stopped_ && begun_ < runs_.size();
+  }
+
+  void wait() const {
+    std::vector<pollfd> reports;
+    for (auto const& child : children_)
+      reports.push_back({.fd = child.reports(), .events = POLLIN, .revents = 0});
+    poll(reports.data(), reports.size(), patience_ms);
+  }
+
+  /// Whether the child has ended.
+  bool take(RunningChild& child) {
+    child.take_reports();
+    auto const status = child.ended();
+    if (!status)
+      return false;
+    if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0)
+      ++ended_, work_ended_ += child.run().work;
+    else
+      fail(child.run(), *status);
+    return true;
+  }
+
+  void fail(FarmedRun const& run, int status) {
+    if (!stopped_)
+      failure_ = WIFEXITED(status)
+                     ? std::make_exception_ptr(AlreadyReported{WEXITSTATUS(status)})
+                     : std::make_exception_ptr(EnvironmentError(fmt::format(
+                           "'{}' was ended by the signal {}", fmt::join(run.argv, " "), WTERMSIG(status))));
+    stop();
+  }
+
+  void stop() {
+    if (!std::exchange(stopped_, true))
+      for (auto const& child : children_)
+        child.ask_to_stop();
+  }
+
+  double done() const {
+    double sum = work_ended_;
+    for (auto const& child : children_)
+      sum += child.done();
+    return sum;
+  }
+
+  std::vector<FarmedRun> runs_;
+  std::vector<RunningChild> children_;
+  std::size_t at_once_, begun_ = 0, ended_ = 0;
+  double all_work_ = 0, work_ended_ = 0;
+  bool stopped_ = false;
+  std::exception_ptr failure_;
+};
+
+} // namespace
+
+bool farming_pays(std::span<double const> work, int cores) {
+  // Ranks that share one run wait for each other: two lose at least this part of their time.
+  constexpr double lost_by_ranks = 0.05;
+  std::vector<double> longest_first(work.begin(), work.end());
+  std::sort(longest_first.begin(), longest_first.end(), std::greater<>());
+  std::vector<double> cores_busy(std::size_t(cores), 0.0);
+  double all = 0;
+  for (double const one : longest_first) {
+    *std::min_element(cores_busy.begin(), cores_busy.end()) += one;
+    all += one;
+  }
+  double const farmed = *std::max_element(cores_busy.begin(), cores_busy.end());
+  return cores > 1 && farmed < all / cores * (1 + lost_by_ranks);
+}
+
+void farm(std::string const& title, std::vector<FarmedRun> runs, int at_once, Context const& context) {
+  for (auto const& run : runs)
+    require(run.work > 0, "work of '" + fmt::format("{}", fmt::join(run.argv, " ")) + "'", run.work,
+            "must be > 0");
+  require(at_once >= 1, "runs at once", at_once, "must be at least 1");
+  auto progress = context.progress(title, 1);
+  Farm(std::move(runs), at_once).work(progress);
+}
+
+} // namespace mesobridge::workflows
