@@ -9,7 +9,7 @@ namespace {
 
 /// Bonds longer than this are not found across the borders of ranks. At k = 20 one costs 35 epsilon.
 constexpr double longest_bond = 3.5;
-constexpr double skin = 0.4;
+constexpr double skin = 0.45;
 
 double uniform(std::uint64_t seed, std::uint64_t molecule, std::uint64_t which) {
   return double(mix(mix(seed, molecule), which) >> 11) * 0x1p-53;
@@ -74,8 +74,9 @@ void prepare_for_stars(LammpsSession& lammps, StarPolymer const&) {
 void set_star_forces(LammpsSession& lammps, StarPolymer const& star) {
   lammps.command("special_bonds lj 1 1 1");
   if (star.repulsion) {
-    lammps.command("pair_style {} {}", lammps.has_style("pair", "lj/cut/opt") ? "lj/cut/opt" : "lj/cut",
-                   wca_cutoff());
+    // LAMMPS's lj/cut/opt is slower where atoms have so few neighbours: 2.5 against 2.0 s for 3000 steps of 160
+    // 6-12 stars at rho = 0.5.
+    lammps.command("pair_style lj/cut {}", wca_cutoff());
     lammps.command("pair_modify shift yes");
     lammps.command("pair_coeff 1 1 1 1 {}", wca_cutoff());
   }
