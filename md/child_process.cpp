@@ -1,5 +1,6 @@
 #include "md/child_process.hpp"
 #include "md/error.hpp"
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -29,27 +30,56 @@ bool belongs_to_this_world(std::string_view variable) {
   return false;
 }
 
+std::string_view name_of(std::string_view variable) {
+  return variable.substr(0, variable.find('='));
+}
+
 std::vector<std::string> environment_with(std::vector<std::string> const& variables) {
-  std::vector<std::string> result;
-  for (char** variable = environ; *variable; ++variable)
-    if (!belongs_to_this_world(*variable))
-      result.emplace_back(*variable);
-  result.insert(result.end(), variables.begin(), variables.end());
+  auto result = variables;
+  for (char** inherited = environ; *inherited; ++inherited) {
+    std::string_view const name = name_of(*inherited);
+    if (!belongs_to_this_world(name) && std::none_of(variables.begin(), variables.end(),
+                                                     [&](auto const& own) { return name_of(own) == name; }))
+      result.emplace_back(*inherited);
+  }
   return result;
 }
 
+/// While it lives, SIGINT and SIGTERM wait.
+class NoStops {
+ public:
+  NoStops() {
+    sigset_t stops;
+    sigemptyset(&stops);
+    for (int const signal : {SIGINT, SIGTERM})
+      sigaddset(&stops, signal);
+    pthread_sigmask(SIG_BLOCK, &stops, &before_);
+  }
+  ~NoStops() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoStops(NoStops const&) = delete;
+  NoStops& operator=(NoStops const&) = delete;
+  sigset_t const& before() const { return before_; }
+
+ private:
+  sigset_t before_;
+};
+
 [[noreturn]] void become(std::vector<char*> const& command, std::vector<char*> const& environment,
-                         ChildSettings const& settings) {
+                         ChildSettings const& settings, pid_t parent, sigset_t const& mask) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  int const nothing = open("/dev/null", O_RDONLY);
+  if (getppid() != parent) // it died before we had asked to be told
+    _exit(not_executed);
+  int const nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   dup2(nothing, 0);
   if (settings.descriptor)
     fcntl(*settings.descriptor, F_SETFD, 0);
-  if (settings.signal_mask)
-    pthread_sigmask(SIG_SETMASK, &*settings.signal_mask, nullptr);
+  // A stop that came meanwhile must not be taken by the parent's handlers, which end with this program.
+  for (int const signal : {SIGINT, SIGTERM})
+    std::signal(signal, SIG_DFL);
+  pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   execve(command[0], command.data(), environment.data());
-  _exit(127);
+  _exit(not_executed);
 }
 
 } // namespace
@@ -58,11 +88,13 @@ pid_t start_child(std::vector<std::string> argv, ChildSettings const& settings) 
   require(!argv.empty(), "program to start", "", "must be given");
   auto variables = environment_with(settings.variables);
   auto const command = pointers(argv), environment = pointers(variables);
-  pid_t const child = fork();
+  NoStops const held;
+  auto const mask = settings.signal_mask.value_or(held.before());
+  pid_t const parent = getpid(), child = fork();
   if (child < 0)
     throw EnvironmentError(fmt::format("'{}' could not be started: {}", argv[0], std::strerror(errno)));
   if (child == 0)
-    become(command, environment, settings);
+    become(command, environment, settings, parent, mask);
   return child;
 }
 

@@ -9,16 +9,19 @@ namespace mesobridge::md {
 
 /// What a child process gets beside its words.
 struct ChildSettings {
-  std::vector<std::string> variables;  ///< "NAME=value", added to its environment
+  std::vector<std::string> variables;  ///< "NAME=value", in its environment in place of ours of that name
   std::optional<int> descriptor;       ///< stays open in the child, whatever its flags say here
   std::optional<sigset_t> signal_mask; ///< this thread's own unless given
 };
 
+/// Exit code of a child whose program could not be executed.
+inline constexpr int not_executed = 127;
+
 /// Starts a program (argv[0], a path) that lives no longer than the thread which calls this: it gets SIGTERM
-/// then. Its process group is its own, so that Ctrl-C reaches it by our hand alone; its standard input is
-/// empty; its output goes where ours goes. It does not take itself for a part of this process's MPI world.
-/// A program that cannot be executed ends with the exit code 127. Throws EnvironmentError when there can be
-/// no further process.
+/// then. Its process group is its own, so that Ctrl-C reaches it by our hand alone; SIGINT and SIGTERM end it
+/// unless it catches them, from its first moment on; its standard input is empty; its output goes where ours
+/// goes. It does not take itself for a part of this process's MPI world. Throws EnvironmentError when there
+/// can be no further process.
 pid_t start_child(std::vector<std::string> argv, ChildSettings const& settings);
 
 } // namespace mesobridge::md

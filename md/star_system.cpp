@@ -74,8 +74,8 @@ void prepare_for_stars(LammpsSession& lammps, StarPolymer const&) {
 void set_star_forces(LammpsSession& lammps, StarPolymer const& star) {
   lammps.command("special_bonds lj 1 1 1");
   if (star.repulsion) {
-    // LAMMPS's lj/cut/opt is slower where atoms have so few neighbours: 2.5 against 2.0 s for 3000 steps of 160
-    // 6-12 stars at rho = 0.5.
+    // LAMMPS's lj/cut/opt is slower where atoms have so few neighbours: 2.5 against 2.0 s for 3000 steps of
+    // 160 6-12 stars at rho = 0.5.
     lammps.command("pair_style lj/cut {}", wca_cutoff());
     lammps.command("pair_modify shift yes");
     lammps.command("pair_coeff 1 1 1 1 {}", wca_cutoff());

@@ -34,8 +34,8 @@ struct CommonOptions {
 /// What a running command gets from the command line.
 struct Context {
   CommonOptions options;
-  std::vector<std::string> arguments;  ///< all words after the program's name
-  std::shared_ptr<spdlog::logger> log; ///< to stderr; silent but for warnings with --quiet
+  std::vector<std::string> arguments;    ///< all words after the program's name
+  std::shared_ptr<spdlog::logger> log;   ///< to stderr; silent but for warnings with --quiet
   std::shared_ptr<std::ostream> reports; ///< to the process that watches this one, if one does
 
   Progress progress(std::string title, double total) const;

@@ -139,13 +139,17 @@ void print(Result const& result, bool json) {
     throw EnvironmentError(result.complaint);
 }
 
+bool is_watched() {
+  return std::getenv(reports_variable) != nullptr;
+}
+
 /// The way to the process that watches this one; nothing where none does.
 std::shared_ptr<std::ostream> open_reports() {
-  char const* const descriptor = std::getenv(reports_variable);
-  if (!descriptor)
+  if (!is_watched())
     return nullptr;
-  std::signal(SIGPIPE, SIG_IGN); // who watches may die first, and this process still has a checkpoint to write
-  return std::make_shared<std::ofstream>(fmt::format("/proc/self/fd/{}", descriptor));
+  std::signal(SIGPIPE,
+              SIG_IGN); // who watches may die first, and this process still has a checkpoint to write
+  return std::make_shared<std::ofstream>(fmt::format("/proc/self/fd/{}", std::getenv(reports_variable)));
 }
 
 Context make_context(CommonOptions const& options, Words const& arguments) {
@@ -212,7 +216,9 @@ int run_command_line(std::vector<std::string> const& arguments, std::vector<Comm
     return failure.exit_code;
   } catch (...) {
     auto const failure = describe(std::current_exception());
-    std::cerr << "mesobridge: " << failure.message << std::endl;
+    // Whoever watches this process and stopped it says so itself.
+    if (failure.code != interrupted || !is_watched())
+      std::cerr << "mesobridge: " << failure.message << std::endl;
     return failure.code;
   }
 }

@@ -11,6 +11,7 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mesobridge::workflows {
 
@@ -18,50 +19,51 @@ namespace {
 
 constexpr int patience_ms = 250;
 
-/// A pipe by which a child tells how far it is.
+/// A descriptor that is closed with its owner.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() {
+    if (number_ >= 0)
+      close(number_);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// By which a child tells how far it is.
 struct Pipe {
-  int reads = -1, writes = -1;
-  Pipe() {
+  Descriptor reads, writes;
+
+  static Pipe open() {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0)
       throw EnvironmentError(fmt::format("cannot create a pipe: {}", std::strerror(errno)));
-    reads = ends[0], writes = ends[1];
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
   }
 };
 
 /// One run that goes on.
 class RunningChild {
  public:
-  explicit RunningChild(FarmedRun const& run) : run_(&run) {
-    Pipe const pipe;
-    process_ = md::start_child(run.argv, {.variables = {fmt::format("{}={}", reports_variable, pipe.writes)},
-                                          .descriptor = pipe.writes,
-                                          .signal_mask = std::nullopt});
-    close(pipe.writes);
-    reports_ = pipe.reads;
-  }
-  RunningChild(RunningChild&& other) noexcept
-      : run_(other.run_), process_(other.process_), reports_(std::exchange(other.reports_, -1)),
-        text_(std::move(other.text_)), done_(other.done_) {}
-  RunningChild& operator=(RunningChild&& other) noexcept {
-    std::swap(run_, other.run_), std::swap(process_, other.process_), std::swap(reports_, other.reports_);
-    std::swap(text_, other.text_), std::swap(done_, other.done_);
-    return *this;
-  }
-  ~RunningChild() {
-    if (reports_ >= 0)
-      close(reports_);
-  }
+  explicit RunningChild(FarmedRun const& run) : RunningChild(run, Pipe::open()) {}
 
+  FarmedRun const& run() const { return *run_; }
+  int reports() const { return reports_.number(); }
   /// The work done so far, by the last report.
   double done() const { return done_ * run_->work; }
-  FarmedRun const& run() const { return *run_; }
-  int reports() const { return reports_; }
   void ask_to_stop() const { kill(process_, SIGINT); }
 
   void take_reports() {
     char buffer[4096];
-    for (ssize_t size = 0; (size = read(reports_, buffer, sizeof buffer)) > 0;)
+    for (ssize_t size = 0; (size = read(reports(), buffer, sizeof buffer)) > 0;)
       text_.append(buffer, std::size_t(size));
     for (std::size_t end = 0; (end = text_.find('\n')) != std::string::npos; text_.erase(0, end + 1))
       done_ = std::strtod(text_.c_str(), nullptr);
@@ -72,15 +74,23 @@ class RunningChild {
     int status = 0;
     pid_t const process = waitpid(process_, &status, WNOHANG);
     if (process < 0 && errno != EINTR)
-      throw EnvironmentError(fmt::format("the process of '{}' was lost: {}", fmt::join(run_->argv, " "),
-                                         std::strerror(errno)));
+      throw EnvironmentError(
+          fmt::format("the process of '{}' was lost: {}", fmt::join(run_->argv, " "), std::strerror(errno)));
     return process == process_ ? std::optional(status) : std::nullopt;
   }
 
  private:
+  RunningChild(FarmedRun const& run, Pipe pipe)
+      : run_(&run),
+        process_(md::start_child(run.argv,
+                                 {.variables = {fmt::format("{}={}", reports_variable, pipe.writes.number())},
+                                  .descriptor = pipe.writes.number(),
+                                  .signal_mask = std::nullopt})),
+        reports_(std::move(pipe.reads)) {}
+
   FarmedRun const* run_;
-  pid_t process_ = 0;
-  int reports_ = -1;
+  pid_t process_;
+  Descriptor reports_;
   std::string text_;
   double done_ = 0;
 };
@@ -98,7 +108,7 @@ class Farm {
       wait();
       std::erase_if(children_, [&](RunningChild& child) { return take(child); });
       progress.update(done() / all_work_, fmt::format("{} of {} runs done", ended_, runs_.size()));
-      if (interrupt_requested())
+      if (failure_ || interrupt_requested())
         stop();
     }
     if (failure_)
@@ -109,9 +119,15 @@ class Farm {
   }
 
  private:
+  /// Whether there are more to begin later.
   bool begin_more() {
-    while (!stopped_ && begun_ < runs_.size() && children_.size() < at_once_)
-      children_.emplace_back(runs_[begun_++]);
+    try {
+      while (!stopped_ && begun_ < runs_.size() && children_.size() < at_once_)
+        children_.emplace_back(runs_[begun_++]);
+    } catch (...) {
+      note(std::current_exception());
+      stop();
+    }
     return !stopped_ && begun_ < runs_.size();
   }
 
@@ -131,17 +147,24 @@ class Farm {
     if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0)
       ++ended_, work_ended_ += child.run().work;
     else
-      fail(child.run(), *status);
+      note(failure_of(child.run(), *status));
     return true;
   }
 
-  void fail(FarmedRun const& run, int status) {
-    if (!stopped_)
-      failure_ = WIFEXITED(status)
-                     ? std::make_exception_ptr(AlreadyReported{WEXITSTATUS(status)})
-                     : std::make_exception_ptr(EnvironmentError(fmt::format(
-                           "'{}' was ended by the signal {}", fmt::join(run.argv, " "), WTERMSIG(status))));
-    stop();
+  static std::exception_ptr failure_of(FarmedRun const& run, int status) {
+    auto const call = fmt::format("{}", fmt::join(run.argv, " "));
+    if (WIFSIGNALED(status))
+      return std::make_exception_ptr(
+          EnvironmentError(fmt::format("'{}' was ended by the signal {}", call, WTERMSIG(status))));
+    if (WEXITSTATUS(status) == md::not_executed)
+      return std::make_exception_ptr(EnvironmentError(fmt::format("'{}' could not be executed", call)));
+    return std::make_exception_ptr(AlreadyReported{WEXITSTATUS(status)});
+  }
+
+  /// Of the failures the first one counts; those of runs that were asked to stop do not.
+  void note(std::exception_ptr failure) {
+    if (!stopped_ && !failure_)
+      failure_ = std::move(failure);
   }
 
   void stop() {

@@ -17,9 +17,12 @@ constexpr char const* erase_line = "\r\033[K";
 
 Progress::Clock::duration interval_of(Progress::Style style) {
   switch (style) {
-    case Progress::Style::bar: return bar_interval;
-    case Progress::Style::reports: return report_interval;
-    default: return line_interval;
+  case Progress::Style::bar:
+    return bar_interval;
+  case Progress::Style::reports:
+    return report_interval;
+  default:
+    return line_interval;
   }
 }
 

@@ -17,14 +17,10 @@ bool must_start_ranks(Context const& context) {
   return ranks_of(context) > 1 && !md::already_on_ranks();
 }
 
-std::vector<std::string> own_call(std::vector<std::string> const& words) {
+void run_on_ranks(int ranks, std::vector<std::string> const& words) {
   std::vector<std::string> argv{std::filesystem::read_symlink("/proc/self/exe").string()};
   argv.insert(argv.end(), words.begin(), words.end());
-  return argv;
-}
-
-void run_on_ranks(int ranks, std::vector<std::string> const& words) {
-  if (int const code = md::run_on_ranks(ranks, own_call(words)); code != 0)
+  if (int const code = md::run_on_ranks(ranks, argv); code != 0)
     throw AlreadyReported{code};
 }
 

@@ -14,9 +14,6 @@ bool must_start_ranks(Context const& context);
 /// How many ranks a command runs on: --ranks, or all cores.
 int ranks_of(Context const& context);
 
-/// The words that call this program.
-std::vector<std::string> own_call(std::vector<std::string> const& words);
-
 /// Runs this program again on that many ranks with the given words, which must be such that it prints no
 /// result. Throws AlreadyReported if it fails, EnvironmentError if it cannot be started.
 void run_on_ranks(int ranks, std::vector<std::string> const& words);

@@ -5,6 +5,7 @@
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace mesobridge::workflows {
 
@@ -103,28 +104,39 @@ ChapterMelt analysed(MeltJob const& job, BlobData const& canonical, BlobData con
           .run = Json::parse(read_text_file(job.summary()))};
 }
 
+/// The melts that are analysed already, by the places of their molecule and of themselves in the plan.
+using Analysed = std::map<std::pair<std::size_t, std::size_t>, ChapterMelt>;
+
+/// Analyses the others of a molecule. Those that are too short for standard errors, because their memory is
+/// longer than was planned for, become longer in the plan.
+void analyse(std::size_t molecule, MoleculeJobs const& jobs, ChapterPlan& plan, Analysed& found) {
+  auto const canonical = read_blobs(jobs.canonical.blobs());
+  auto const microcanonical = read_blobs(jobs.microcanonical.blobs());
+  for (std::size_t m = 0; m < jobs.melts.size(); ++m)
+    try {
+      if (!found.contains({molecule, m}))
+        found.emplace(std::pair(molecule, m), analysed(jobs.melts[m], canonical, microcanonical));
+    } catch (cg::TooShort const& error) {
+      plan.molecules[molecule].melts[m].sampling_steps = steps_for(error.needed_time, jobs.melts[m].settings);
+    }
+}
+
 } // namespace
 
 Chapter run_chapter(ChapterPlan plan, std::filesystem::path const& directory, Context const& context) {
-  for (;;) {
+  std::size_t melts = 0;
+  for (auto const& molecule : plan.molecules)
+    melts += molecule.melts.size();
+  Analysed found;
+  while (found.size() < melts) {
     auto const jobs = make_runs_of(plan, directory, context);
-    Chapter chapter;
-    bool enough = true;
-    for (std::size_t k = 0; k < jobs.size(); ++k) {
-      auto const canonical = read_blobs(jobs[k].canonical.blobs());
-      auto const microcanonical = read_blobs(jobs[k].microcanonical.blobs());
-      for (std::size_t m = 0; m < jobs[k].melts.size(); ++m)
-        try {
-          chapter.melts.push_back(analysed(jobs[k].melts[m], canonical, microcanonical));
-        } catch (cg::TooShort const& error) { // its memory is longer than was planned for
-          plan.molecules[k].melts[m].sampling_steps =
-              steps_for(error.needed_time, jobs[k].melts[m].settings);
-          enough = false;
-        }
-    }
-    if (enough)
-      return chapter;
+    for (std::size_t k = 0; k < jobs.size(); ++k)
+      analyse(k, jobs[k], plan, found);
   }
+  Chapter chapter;
+  for (auto& [place, melt] : found)
+    chapter.melts.push_back(std::move(melt));
+  return chapter;
 }
 
 cg::Estimate heat_capacity_difference(ChapterMelt const& melt) {

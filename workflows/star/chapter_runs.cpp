@@ -13,7 +13,7 @@ namespace {
 /// A run that is to be made.
 struct Needed {
   std::vector<std::string> words;
-  double work; ///< seconds on one core
+  double work; ///< as work_of
   std::function<void()> make_on_ranks;
 };
 
@@ -88,25 +88,39 @@ void add_needed(std::vector<Needed>& needed, Job job, Context const& context) {
 void make_on_one_core_each(std::vector<Needed> const& needed, Context const& context) {
   std::vector<FarmedRun> runs;
   for (auto const& one : needed) {
-    auto words = one.words;
-    words.insert(words.end(), {"--ranks", "1", "--quiet"});
-    runs.push_back({own_call(words), one.work});
+    FarmedRun run{{"/proc/self/exe"}, one.work}; // whatever has become of its file
+    run.argv.insert(run.argv.end(), one.words.begin(), one.words.end());
+    run.argv.insert(run.argv.end(), {"--ranks", "1", "--quiet"});
+    runs.push_back(std::move(run));
   }
   farm("runs of stars", std::move(runs), ranks_of(context), context);
 }
 
+/// Whether all these runs together are better made on one core each. Which of them are there already does not
+/// count: a run goes on, bit for bit, on as many ranks as it began on.
+template <class... Jobs>
+bool one_core_each(Context const& context, Jobs const&... jobs) {
+  std::vector<double> work;
+  auto const add = [&](auto const& list) {
+    for (auto const& job : list)
+      work.push_back(work_of(job));
+  };
+  (add(jobs), ...);
+  return !md::already_on_ranks() && farming_pays(work, ranks_of(context));
+}
+
 } // namespace
 
-void make_runs(std::vector<MeltJob> melts, std::vector<VacuumJob> vacuums, Context const& context) {
+void make_runs(std::vector<MeltJob> const& melts, std::vector<VacuumJob> const& vacuums,
+               Context const& context) {
   std::vector<Needed> needed;
-  for (auto& melt : melts)
-    add_needed(needed, std::move(melt), context);
-  for (auto& vacuum : vacuums)
-    add_needed(needed, std::move(vacuum), context);
-  std::vector<double> work;
-  for (auto const& one : needed)
-    work.push_back(one.work);
-  if (!md::already_on_ranks() && farming_pays(work, ranks_of(context)))
+  for (auto const& melt : melts)
+    add_needed(needed, melt, context);
+  for (auto const& vacuum : vacuums)
+    add_needed(needed, vacuum, context);
+  if (needed.empty())
+    return;
+  if (one_core_each(context, melts, vacuums))
     return make_on_one_core_each(needed, context);
   for (auto const& one : needed)
     one.make_on_ranks();

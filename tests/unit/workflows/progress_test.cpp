@@ -69,6 +69,16 @@ TEST_F(ProgressTest, QuietSaysNothing) {
   EXPECT_EQ(out.str(), "");
 }
 
+TEST_F(ProgressTest, ReportsArePlainParts) {
+  auto progress = start(Progress::Style::reports);
+  for (int tenth = 0; tenth <= 25; ++tenth) {
+    progress.update(4.0 * tenth, "state 3 of 60");
+    watch.time += 100ms;
+  }
+  progress.finish();
+  EXPECT_EQ(out.str(), "0.200000\n0.400000\n");
+}
+
 TEST_F(ProgressTest, DurationsReadWell) {
   EXPECT_EQ(duration_text(0.4), "0 s");
   EXPECT_EQ(duration_text(59.6), "1 min 00 s");

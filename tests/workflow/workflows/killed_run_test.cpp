@@ -179,5 +179,41 @@ TEST(KilledRun, OfAMeltOnTwoRanksIsResumedAtOnce) {
   EXPECT_EQ(centres.read_integers("particles/all/position/step"), steps);
 }
 
+// A chapter's runs are processes of their own, several at once. They end with the one that started them, and
+// the next one goes on with each.
+TEST(KilledRun, OfAChapterGoesOnWithAllItsRuns) {
+  ScratchDirectory const scratch;
+  auto const command = [](std::filesystem::path const& directory) {
+    std::vector<std::string> words{MESOBRIDGE_PROGRAM, "workflow", "star-polymers", "--star", "4-1", "--rho"};
+    words.insert(words.end(), {"0.3", "0.35", "0.4", "0.45", "--molecules", "125", "--sampling-steps",
+                               "40000", "--vacuum-molecules", "60", "--vacuum-sampling-steps", "10000",
+                               "--ranks", "2", "--json", "--quiet", "-o", directory.string()});
+    return words;
+  };
+  auto const unbroken = scratch / "unbroken", broken = scratch / "broken";
+  auto const whole = run_process(command(unbroken));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  auto const begun = [&](char const* melt) {
+    return std::filesystem::exists(broken / melt / "star-melt.restart");
+  };
+  auto const until_two_melts_are_under_way = [&] {
+    for (int k = 0; k < 4000 && !(begun("melt-4-1-0.45") && begun("melt-4-1-0.4")); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  ASSERT_TRUE(WIFSIGNALED(killed(until_two_melts_are_under_way, SIGKILL, command(broken))));
+  ASSERT_TRUE(begun("melt-4-1-0.45") && begun("melt-4-1-0.4"));
+  for (char const* melt : {"melt-4-1-0.45", "melt-4-1-0.4"})
+    EXPECT_FALSE(std::filesystem::exists(broken / melt / "summary.json"))
+        << "one after the other, or too late";
+  auto const last = run_process(command(broken));
+  ASSERT_EQ(last.status, 0) << last.errors;
+  std::vector<std::string> const columns{"frames/energy", "blobs/R", "blobs/U_kin", "blobs/U_pot"};
+  for (std::string const melt : {"melt-4-1-0.3", "melt-4-1-0.35", "melt-4-1-0.4", "melt-4-1-0.45"}) {
+    auto const expected = datasets(unbroken / melt / "blobs.h5", columns);
+    ASSERT_GE(expected[0].size(), 400u) << melt;
+    EXPECT_TRUE(expected == datasets(broken / melt / "blobs.h5", columns)) << melt;
+  }
+}
+
 } // namespace
 } // namespace mesobridge::workflows
