@@ -55,7 +55,8 @@ Plot isotherms(ChainResults const& results, GridQuantity quantity) {
   auto& values = plot.panels[0];
   auto& differences = plot.panels[1];
   values.y.label = symbol + "*";
-  values.legend = Legend::top_left;
+  // Energies of hot gases fill the corner that pressures leave empty.
+  values.legend = quantity == GridQuantity::U ? Legend::outside : Legend::top_left;
   differences.y.label = "difference to fit [%]";
   differences.legend = Legend::none;
   differences.level_lines = {0};

@@ -29,7 +29,7 @@ Series entropy_series(EntropyRoutes const& routes, std::string const& route, std
 
 Plot entropy_figure(std::string const& name, Melts const& melts) {
   auto plot = half_plot(name, "Entropy of a " + melts.front()->star.name() + " molecule", "U", "S(U)/k_B");
-  plot.panels = {Panel{.y = {.label = "S(U)/k_B"}, .height = 1.5, .legend = Legend::bottom_right},
+  plot.panels = {Panel{.y = {.label = "S(U)/k_B"}, .height = 1.5},
                  Panel{.y = {.label = "melt - vacuum"}, .legend = Legend::none, .level_lines = {0}}};
   plot.height = 460; // for two panels
   auto const& first = melts.front()->entropy;
@@ -47,6 +47,7 @@ Plot entropy_figure(std::string const& name, Melts const& melts) {
     curves.push_back(std::move(curve));
     plot.panels[1].series.push_back(std::move(difference));
   }
+  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 

@@ -1,7 +1,6 @@
 #include "workflows/star/chapter_figures.hpp"
 #include "workflows/report/heat_map.hpp"
 #include "workflows/star/figure_parts.hpp"
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -9,8 +8,6 @@
 namespace mesobridge::workflows {
 
 namespace {
-
-constexpr double room_for_legend = 1.35;
 
 std::vector<double> normalised(std::vector<double> values) {
   double const n = double(values.size());
@@ -45,8 +42,8 @@ Plot figure_3_2(ChapterMelt const& melt) {
                         (spread * std::sqrt(2 * std::numbers::pi)));
   }
   plot.panels[0].series = {points_of(c.P_x, "melt", 0), maxwell};
-  plot.panels[0].y.min = 0,
-  plot.panels[0].y.max = room_for_legend * *std::max_element(maxwell.y.begin(), maxwell.y.end());
+  plot.panels[0].y.min = 0;
+  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 

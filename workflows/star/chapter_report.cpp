@@ -11,11 +11,13 @@ namespace {
 /// What the thesis prints for 6-3 stars at rho = 0.3, section 3.2.
 constexpr double thesis_beta = 1.05, thesis_C_KU = 5.08e-2, thesis_C_UD = 8.59e-4, thesis_C_difference = 0.05;
 
+/// In the order of their densities.
 Melts of_star(Chapter const& chapter, std::string const& name) {
   Melts melts;
   for (auto const& melt : chapter.melts)
     if (melt.star.name() == name)
       melts.push_back(&melt);
+  std::sort(melts.begin(), melts.end(), [](auto const* a, auto const* b) { return a->rho < b->rho; });
   return melts;
 }
 

@@ -1,5 +1,7 @@
 #include "workflows/star/figure_parts.hpp"
+#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mesobridge::workflows {
 
@@ -31,6 +33,16 @@ Series points_of(cg::Profile const& profile, std::string label, int colour) {
 
 Series curve_of(std::string label, SeriesStyle style, int colour) {
   return {.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .style = style, .colour = colour};
+}
+
+void leave_room_for_legend(Panel& panel) {
+  constexpr double room = 0.35;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (auto const& series : panel.series)
+    for (double const y : series.y)
+      least = std::min(least, y), most = std::max(most, y);
+  if (least < most)
+    panel.y.max = most + room * (most - least);
 }
 
 std::string density_label(ChapterMelt const& melt) {
