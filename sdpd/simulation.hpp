@@ -71,6 +71,7 @@ struct Snapshot {
   std::vector<Vec3> q; ///< in the box
   std::vector<Vec3> p;
   std::vector<double> eps, rho, T, P; ///< empty where the method has none
+  std::vector<double> virial = {};    ///< see observe/virials.hpp; empty unless it was asked for
 };
 
 /// An SDPD, DPDE or DPD fluid in a periodic box, integrated by Velocity Verlet and a
@@ -91,6 +92,8 @@ class Simulation {
   std::uint64_t step() const; ///< steps since the start
   Observation observe() const;
   Snapshot snapshot() const;
+  /// The same with the particles' virials, for which DPD and DPDE look at all pairs again.
+  Snapshot snapshot_with_virials() const;
   ReducedUnits const& units() const { return units_; }
   bool has_noise() const { return has_noise_; }
   Box const& box() const;

@@ -1,3 +1,4 @@
+#include "sdpd/observe/virials.hpp"
 #include "sdpd/start.hpp"
 #include "sdpd/step/conservative.hpp"
 
@@ -33,6 +34,12 @@ Snapshot Simulation::snapshot() const {
     if (densities > 0)
       s.rho[id] = particles.rho[i], s.P[id] = particles.P[i];
   }
+  return s;
+}
+
+Snapshot Simulation::snapshot_with_virials() const {
+  auto s = snapshot();
+  s.virial = virials(*system_);
   return s;
 }
 

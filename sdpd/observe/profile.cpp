@@ -50,6 +50,17 @@ std::vector<double> kinetic_temperatures(Snapshot const& now, std::vector<std::s
   return T;
 }
 
+/// Of the particles' virials and their motion.
+std::vector<double> pressures(Snapshot const& now, std::vector<std::size_t> const& slice, Profile const& of,
+                              double volume, double boltzmann) {
+  std::vector<double> P(of.number.size());
+  for (std::size_t i = 0; i < slice.size(); ++i)
+    P[slice[i]] += now.virial[i] / (3 * volume);
+  for (std::size_t s = 0; s < P.size(); ++s)
+    P[s] += of.rho[s] * boltzmann * of.T_kin[s];
+  return P;
+}
+
 } // namespace
 
 Profile profile(Snapshot const& now, Box const& box, Slices const& slices, double boltzmann) {
@@ -73,9 +84,13 @@ Profile profile(Snapshot const& now, Box const& box, Slices const& slices, doubl
   of.P = of.P_internal;
   for (std::size_t s = 0; s < of.P.size(); ++s)
     of.P[s] += of.rho[s] * boltzmann * of.T_kin[s];
-  if (!densities)
-    for (auto const number : of.number)
-      of.rho.push_back(static_cast<double>(number) * static_cast<double>(slices.count) / box.volume());
+  if (densities)
+    return of;
+  double const volume = box.volume() / static_cast<double>(slices.count);
+  for (auto const number : of.number)
+    of.rho.push_back(static_cast<double>(number) / volume);
+  if (!now.virial.empty())
+    of.P = pressures(now, slice, of, volume, boltzmann);
   return of;
 }
 

@@ -20,7 +20,9 @@ struct Profile {
   std::vector<double> T_kin;
   std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (theory sheet, sections 1, 2)
   std::vector<double> P_internal; ///< SDPD: mean of the particles' pressures
-  std::vector<double> P; ///< SDPD: P_internal + rho k_B T_kin / m, with what the moving particles carry
+  /// With what the moving particles carry, rho k_B T_kin / m. SDPD: beside P_internal. DPD, DPDE: beside the
+  /// virials of the slice's particles over three times its volume; empty where the snapshot has none.
+  std::vector<double> P;
 };
 
 /// Sums in the order of the ids, so that the result does not depend on the threads. `boltzmann` is k_B in

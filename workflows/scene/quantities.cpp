@@ -7,7 +7,7 @@ std::vector<NamedQuantity> const& profile_quantities() {
   static std::vector<NamedQuantity> const all{
       {"rho", {"sdpd", "dpde", "dpd"}},   {"velocity", {"sdpd", "dpde", "dpd"}},
       {"T_kin", {"sdpd", "dpde", "dpd"}}, {"T_int", {"sdpd", "dpde"}},
-      {"P_internal", {"sdpd"}},           {"P", {"sdpd"}}};
+      {"P_internal", {"sdpd"}},           {"P", {"sdpd", "dpde", "dpd"}}};
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "workflows/sdpd/profile_series.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/sdpd/last_step.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
@@ -19,6 +20,10 @@ ProfileSeries::ProfileSeries(Store& store, Scene const& scene, OutputUnits const
       axis_(scene.profile.axis),
       quantities_(chosen(scene.profile.quantities, profile_quantities(), scene.method.name)), units_(units),
       boltzmann_(boltzmann), last_step_(last_step(store, group + "/step")) {}
+
+bool ProfileSeries::shows(std::string const& quantity) const {
+  return std::ranges::find(quantities_, quantity) != quantities_.end();
+}
 
 /// What the rows mean, once.
 void ProfileSeries::describe(Box const& box) {

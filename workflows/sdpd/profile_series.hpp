@@ -14,6 +14,8 @@ class ProfileSeries {
   /// Goes on after the rows that the file holds. The store must outlive the series.
   ProfileSeries(Store& store, Scene const& scene, OutputUnits const& units, double boltzmann);
 
+  bool shows(std::string const& quantity) const;
+
   /// `time` is in the scene's units. The rows are flushed.
   void append(sdpd::Snapshot const& now, Box const& box, std::uint64_t step, double time);
 

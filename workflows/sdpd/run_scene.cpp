@@ -139,7 +139,8 @@ class Run {
     bool const instant = due(every_instant_), profile = due(scene_.profile.every),
                histogram = due(scene_.histogram.every);
     if (instant || profile || histogram) {
-      auto const now = simulation_.snapshot();
+      auto const now =
+          profile && profiles_->shows("P") ? simulation_.snapshot_with_virials() : simulation_.snapshot();
       auto const step = simulation_.step();
       if (instant)
         run_file_->append(now, sdpd::moments(now), step);

@@ -88,6 +88,37 @@ TEST(Profile, OfParticlesWithoutDensitiesIsThatOfTheirMass) {
   EXPECT_TRUE(of.P.empty() && of.P_internal.empty());
 }
 
+// Half of r . f of all pairs of a particle, by brute force over the nearest images.
+TEST(Profile, OfThePressureOfADpdFluidIsThatOfItsPairs) {
+  double const a = 25;
+  auto const simulation = after(dpd_fluid(), 20);
+  auto const now = simulation.snapshot_with_virials();
+  Vec3 const edge = simulation.box().edge;
+  std::size_t const n = now.q.size();
+  std::vector<double> expected(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      Vec3 const d = now.q[i] - now.q[j];
+      double const r =
+          norm({std::remainder(d.x, edge.x), std::remainder(d.y, edge.y), std::remainder(d.z, edge.z)});
+      if (i != j && r < 1)
+        expected[i] += 0.5 * a * (1 - r) * r;
+    }
+  ASSERT_EQ(now.virial.size(), n);
+  for (std::size_t i = 0; i < n; ++i)
+    ASSERT_NEAR(now.virial[i], expected[i], 1e-10 * a) << i;
+  constexpr std::size_t count = 8;
+  auto const of = profile(now, simulation.box(), {2, count}, 1);
+  double const volume = simulation.box().volume() / count;
+  double sum = 0;
+  for (std::size_t s = 0; s < count; ++s)
+    sum += (of.P[s] - of.rho[s] * of.T_kin[s]) * volume;
+  auto const whole = simulation.observe();
+  double const of_motion = static_cast<double>(n) * whole.T_kin;
+  EXPECT_NEAR(sum / (whole.P * count * volume - of_motion), 1, 1e-12);
+  EXPECT_TRUE(after(argon(50, 0.02), 0).snapshot_with_virials().virial.empty());
+}
+
 // A shear wave and a wave of temperature in a fluid whose own fluctuations hide neither.
 TEST(Profile, ShowsTheWavesThatTheFluidWasGiven) {
   double const U = 0.05, A = 0.2, K = 1e4;

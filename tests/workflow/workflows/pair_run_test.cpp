@@ -4,6 +4,7 @@
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
+#include <numeric>
 
 // `mesobridge run` and `bench engine` with DPD and DPDE, as their users run them.
 
@@ -21,8 +22,9 @@ ProcessResult run(std::string const& scene, std::filesystem::path const& directo
                                  directory.string(),
                                  "--quiet",
                                  "--json"};
-  for (char const* set : {"particles.N=512", "run.equilibrate=64", "run.steps=320", "run.sample_every=5",
-                          "run.trajectory_every=100", "run.checkpoint_every=150"})
+  for (char const* set :
+       {"particles.N=512", "run.equilibrate=64", "run.steps=320", "run.sample_every=5",
+        "run.trajectory_every=100", "run.checkpoint_every=150", "profile.every=5", "profile.bins=4"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return run_process(words);
@@ -52,6 +54,10 @@ TEST_P(PairRun, WritesItsFilesAndGoesOnFromACheckpoint) {
   EXPECT_EQ(thermodynamics(scratch / "a").size(), 65u * (energies ? 12u : 10u));
   EXPECT_NE(read_text_file(scratch / "a" / "report.html").find(energies ? "DPDE particles" : "DPD particles"),
             std::string::npos);
+  auto const P = Store(scratch / "a" / "run.h5", Store::Mode::read).read_doubles("profile/P");
+  ASSERT_EQ(P.size(), 65u * 4u);
+  double const mean = std::accumulate(P.begin(), P.end(), 0.0) / static_cast<double>(P.size());
+  EXPECT_NEAR(mean, json["P"].get<double>(), 3 * json["P_se"].get<double>() + 0.02);
   // From the checkpoint after 300 of the 320 steps to the same end, on two threads.
   auto const rows = thermodynamics(scratch / "a");
   auto const summary = read_text_file(scratch / "a" / "summary.json");

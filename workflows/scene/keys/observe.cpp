@@ -20,10 +20,9 @@ std::vector<SceneKey> observe_keys() {
       Line(
           "profile", "quantities", [](Scene& s) { return &s.profile.quantities; },
           "means over the particles of a slice: rho (dpde, dpd: mass per volume), velocity, T_kin (of the "
-          "motion "
-          "about that velocity), T_int (not dpd), P_internal (of the particles' own pressures, sdpd), P "
-          "(with what "
-          "the moving particles carry, sdpd). []: all that the method has")
+          "motion about that velocity), T_int (not dpd), P_internal (of the particles' own pressures, sdpd), "
+          "P (with what the moving particles carry; dpde, dpd: by their virials). []: all that the method "
+          "has")
           .choices(names_of(profile_quantities())),
       Line(
           "histogram", "bins", [](Scene& s) { return &s.histogram.bins; }, "of equal width")
