@@ -14,7 +14,7 @@ struct Options {
   std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas";
   double neighbours = 62;
   std::uint32_t side = 22, fluctuate_every = 1;
-  double K = 100;
+  double K = 100, kappa = 0;
   int steps = 20, repeats = 5;
 };
 
@@ -27,6 +27,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads) {
           .lattice = {options.side, options.side, options.side},
           .disorder = 0.15,
           .eta = 2e-3,
+          .kappa = options.kappa,
           .dt = ideal ? 0.1 : 0.05,
           .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
           .threads = threads};
@@ -80,6 +81,7 @@ Result run(Options const& options, Context& context) {
                  {"scheme", options.scheme},
                  {"fluctuate_every", options.fluctuate_every},
                  {"eos", options.method == "sdpd" ? options.eos : "none"},
+                 {"kappa_W_m_K", options.kappa},
                  {"n", simulation.size()},
                  {"K", options.K},
                  {"repeats", options.repeats}};
@@ -116,6 +118,9 @@ Command bench_engine_command() {
                 ->capture_default_str();
             app.add_option("--eos", options->eos, "equation of state")
                 ->check(CLI::IsMember({"ideal-gas", "argon"}))
+                ->capture_default_str();
+            app.add_option("--kappa", options->kappa, "thermal conductivity of sdpd, W/(m K); 0: none")
+                ->check(CLI::Range(0.0, 1e3))
                 ->capture_default_str();
             app.add_option("--side", options->side, "particles along an edge of the cubic box")
                 ->check(CLI::Range(6, 400))
