@@ -1,36 +1,36 @@
 #pragma once
 #include "sdpd/barrier.hpp"
-#include "sdpd/cells.hpp"
-#include <atomic>
-#include <memory>
+#include "sdpd/block_shares.hpp"
 #include <omp.h>
-#include <optional>
 
 namespace mesobridge::sdpd {
 
-/// Calls f(block) for every block of the grid, phase after phase, on all threads. Within a phase threads take
-/// the next block that is left. Only for functions that write to the particles of their own block.
-template <class F>
+enum class Phases { in_turn, at_once };
+
+/// Calls f(block) for every block of the grid on all threads: phase after phase for functions that write to
+/// the particles of their own block, all phases at once for those that only read them. A block mostly
+/// comes to the same thread.
+template <Phases phases = Phases::in_turn, class F>
 void for_each_block(CellGrid const& grid, int threads, F&& f) {
-  auto const begin = grid.phase_begin();
   if (threads == 1) { // the phases follow each other in the list
     for (std::size_t block = 0; block < grid.blocks().size(); ++block)
       f(block);
     return;
   }
   std::optional<Barrier> barrier;
-  std::array<std::atomic<std::size_t>, 27> next;
-  for (std::size_t phase = 0; phase < grid.phase_count(); ++phase)
-    next[phase] = begin[phase];
+  std::optional<BlockShares> shares;
 #pragma omp parallel num_threads(threads)
   {
-#pragma omp single // ends with a barrier of its own: all see the new one
-    barrier.emplace(omp_get_num_threads());
+#pragma omp single // ends with a barrier of its own: all see what it made
+    {
+      barrier.emplace(omp_get_num_threads());
+      shares.emplace(grid, omp_get_num_threads());
+    }
     for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
-      for (std::size_t block;
-           (block = next[phase].fetch_add(1, std::memory_order_relaxed)) < begin[phase + 1];)
-        f(block);
-      barrier->wait();
+      while (auto const block = shares->take(phase, omp_get_thread_num()))
+        f(*block);
+      if constexpr (phases == Phases::in_turn)
+        barrier->wait();
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "sdpd/neighbours.hpp"
 #include "md/error.hpp"
+#include "sdpd/for_each_block.hpp"
 #include "sdpd/matchings.hpp"
 #include "sdpd/wide_lanes.hpp"
 #include <algorithm>
@@ -12,15 +13,16 @@
 namespace mesobridge::sdpd {
 namespace {
 
+/// Brings the values into that order; `room` is where they are put together.
 template <class T>
-void reorder(std::vector<T>& values, std::span<Index const> order, int threads) {
+void reorder(std::vector<T>& values, std::vector<T>& room, std::span<Index const> order, int threads) {
   if (values.empty())
     return; // the method has no such quantity
-  std::vector<T> sorted(values.size());
+  room.resize(values.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < order.size(); ++k)
-    sorted[k] = values[order[k]];
-  values.swap(sorted);
+    room[k] = values[order[k]];
+  values.swap(room);
 }
 
 /// The positions of a block's particles as seen from the first, place by place, with room for whole registers
@@ -115,25 +117,30 @@ void Neighbours::renew(Particles& particles) {
         fmt::format("{} of {} particles crowd into a few neighbouring cells (at most {} can be "
                     "handled): the system has collapsed",
                     largest_block_, particles.size(), most));
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads_)
-  for (std::size_t block = 0; block < lists_.size(); ++block)
-    find_candidates(block, particles.q);
+  for_each_block<Phases::at_once>(grid_, threads_,
+                                  [&](std::size_t block) { find_candidates(block, particles.q); });
 }
 
 void Neighbours::sort(Particles& particles) {
-  std::vector<Index> cell(particles.size()), order(particles.size());
-  cell_begin_.assign(grid_.cell_count() + 1, 0);
+  auto& [cell, next, order] = sorting_;
+  cell.resize(particles.size()), order.resize(particles.size());
+#pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::size_t i = 0; i < particles.size(); ++i)
-    ++cell_begin_[(cell[i] = grid_.cell_of(particles.q[i])) + 1];
+    cell[i] = grid_.cell_of(particles.q[i]);
+  cell_begin_.assign(grid_.cell_count() + 1, 0);
+  for (Index const c : cell)
+    ++cell_begin_[c + 1];
   std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
-  std::vector<Index> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  next.assign(cell_begin_.begin(), cell_begin_.end() - 1);
   for (std::size_t i = 0; i < particles.size(); ++i)
     order[next[cell[i]]++] = static_cast<Index>(i);
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::size_t c = 0; c < grid_.cell_count(); ++c)
     std::sort(order.begin() + cell_begin_[c], order.begin() + cell_begin_[c + 1],
               [&](Index a, Index b) { return particles.id[a] < particles.id[b]; });
-  auto each = [&](auto&... values) { (reorder(values, order, threads_), ...); };
+  auto each = [&]<class... T>(std::vector<T>&... values) {
+    (reorder(values, std::get<std::vector<T>>(room_), order, threads_), ...);
+  };
   each(particles.id, particles.q, particles.p, particles.eps, particles.rho, particles.S, particles.T,
        particles.P, particles.f, particles.caloric);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/cells.hpp"
 #include <span>
+#include <tuple>
 
 namespace mesobridge::sdpd {
 
@@ -78,6 +79,10 @@ class Neighbours {
     std::vector<std::uint32_t> candidate_ends, pair_ends;
     std::size_t pair_count = 0;
   };
+  /// What a sort works with, kept so that no renewal allocates.
+  struct Sorting {
+    std::vector<Index> cell, next, order;
+  };
   void sort(Particles& particles);
   void find_members(std::size_t block);
   void find_candidates(std::size_t block, std::span<Vec3 const> q);
@@ -88,6 +93,8 @@ class Neighbours {
   CellGrid grid_;
   std::size_t largest_block_ = 0;
   std::vector<Index> cell_begin_;
+  Sorting sorting_;
+  std::tuple<std::vector<std::uint32_t>, std::vector<double>, std::vector<Vec3>, std::vector<Caloric>> room_;
   std::vector<Vec3> q_renewed_;
   std::vector<BlockLists> lists_;
 };

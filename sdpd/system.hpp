@@ -52,6 +52,15 @@ struct System {
   }
 };
 
+/// Sets a quantity of all particles, each by the thread that works on it elsewhere, whose cache it stays in.
+template <class T>
+void set_all(System const& system, std::vector<T>& values, T const& value) {
+  values.resize(system.size());
+#pragma omp parallel for schedule(static) num_threads(system.threads)
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = value;
+}
+
 /// Particles that are worked on by one thread at a time.
 inline constexpr std::size_t range_length = 512;
 

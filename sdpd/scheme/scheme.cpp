@@ -25,16 +25,15 @@ void follow_energies(System& system) {
     find_forces(system);
 }
 
-/// Moves the particles and finds the forces of their new places, at constant entropies.
-void move(System& system, double dt) {
-  drift(system, dt);
+/// Kicks and moves the particles and finds the forces of their new places, at constant entropies.
+void kick_and_move(System& system, double kick_dt, double dt) {
+  kick_and_drift(system, kick_dt, dt);
   refresh_lists(system);
   follow_positions(system);
 }
 
 void verlet_step(System& system, double dt) {
-  kick(system, dt / 2);
-  move(system, dt);
+  kick_and_move(system, dt / 2, dt);
   kick(system, dt / 2);
 }
 
@@ -42,10 +41,8 @@ void verlet_step(System& system, double dt) {
 /// Folk, Comput. Phys. Commun. 151 (2003) 272). Symplectic and time-reversible, as Verlet is.
 void two_stage_step(System& system, double dt) {
   constexpr double outer = 0.1931833275037836;
-  kick(system, outer * dt);
-  move(system, dt / 2);
-  kick(system, (1 - 2 * outer) * dt);
-  move(system, dt / 2);
+  kick_and_move(system, outer * dt, dt / 2);
+  kick_and_move(system, (1 - 2 * outer) * dt, dt / 2);
   kick(system, outer * dt);
 }
 

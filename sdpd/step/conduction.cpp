@@ -128,7 +128,7 @@ template <class Law>
 void conduct(System& system, Conduction<Law> const& conduction) {
   auto& particles = system.particles;
   auto const& grid = system.neighbours.grid();
-  system.energy_gain.assign(particles.size(), 0);
+  set_all(system, system.energy_gain, 0.0);
   std::vector<PairCounts> counts(grid.blocks().size());
   Failure failure;
   for_each_block(grid, system.threads, [&](std::size_t block) {

@@ -20,11 +20,13 @@ void kick(System& system, double dt) {
     particles.p[i] += particles.f[i] * dt;
 }
 
-void drift(System& system, double dt) {
+void kick_and_drift(System& system, double kick_dt, double drift_dt) {
   auto& particles = system.particles;
 #pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    particles.q[i] += particles.p[i] * dt;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.p[i] += particles.f[i] * kick_dt;
+    particles.q[i] += particles.p[i] * drift_dt;
+  }
 }
 
 void refresh_lists(System& system) {

@@ -8,8 +8,8 @@ namespace mesobridge::sdpd {
 /// p += f dt. Conserves the momentum, since the forces do.
 void kick(System& system, double dt);
 
-/// q += p/m dt.
-void drift(System& system, double dt);
+/// p += f kick_dt, then q += p/m drift_dt, in one pass over the particles.
+void kick_and_drift(System& system, double kick_dt, double drift_dt);
 
 /// Renews the neighbour lists if some particle has come too far. Throws PhysicsError when a position is not
 /// finite.

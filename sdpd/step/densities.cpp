@@ -31,7 +31,7 @@ void find_pairs_and_densities(System& system, Kernel const& kernel) {
   auto& particles = system.particles;
   auto& neighbours = system.neighbours;
   double const out_of_range = 2 * neighbours.range();
-  std::fill(particles.rho.begin(), particles.rho.end(), system.self_density);
+  set_all(system, particles.rho, system.self_density);
   for_each_block(neighbours.grid(), system.threads, [&](std::size_t block) {
     thread_local Scratch scratch;
     auto const members = neighbours.members(block);

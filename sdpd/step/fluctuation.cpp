@@ -1,10 +1,10 @@
 #include "sdpd/step/fluctuation.hpp"
 #include "sdpd/step/exact_pair.hpp"
 #include "sdpd/step/fluctuation_entropy.hpp"
-#include "sdpd/step/fluctuation_strip.hpp"
 #include "sdpd/step/fluctuation_hybrid.hpp"
 #include "sdpd/step/fluctuation_implicit.hpp"
 #include "sdpd/step/fluctuation_isothermal.hpp"
+#include "sdpd/step/fluctuation_strip.hpp"
 
 namespace mesobridge::sdpd {
 namespace {

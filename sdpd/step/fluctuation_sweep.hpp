@@ -44,7 +44,7 @@ void sweep_all_blocks(System& system, Law const& law, double dt, bool second, Sw
   auto& particles = system.particles;
   auto const& grid = system.neighbours.grid();
   if constexpr (Law::has_energies)
-    system.energy_gain.assign(particles.size(), 0);
+    set_all(system, system.energy_gain, 0.0);
   Sweep<Law> const sweep{law, dt, SweepNoise(system, second)};
   std::vector<PairCounts> counts(grid.blocks().size());
   // The phases after a failure are not swept: a particle that has left the equation of state would take its

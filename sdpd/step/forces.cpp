@@ -42,7 +42,7 @@ void find_forces(System& system, Kernel const& kernel) {
   auto& particles = system.particles;
   auto const& neighbours = system.neighbours;
   system.block_virial.resize(neighbours.grid().blocks().size());
-  std::fill(particles.f.begin(), particles.f.end(), Vec3{});
+  set_all(system, particles.f, Vec3{});
   double const in_range = 0.5 * neighbours.range();
   auto push = [&](Index i) { return particles.P[i] / (particles.rho[i] * particles.rho[i]); };
   for_each_block(neighbours.grid(), system.threads, [&](std::size_t block) {

@@ -94,15 +94,14 @@ void find_pair_forces(System& system, Potential const& potential) {
   auto& neighbours = system.neighbours;
   std::size_t const blocks = neighbours.grid().blocks().size();
   system.block_virial.assign(blocks, 0), system.block_energy.assign(blocks, 0);
-  std::fill(system.particles.f.begin(), system.particles.f.end(), Vec3{});
+  set_all(system, system.particles.f, Vec3{});
   Failure failure;
   for_each_block(neighbours.grid(), system.threads, [&](std::size_t block) {
     thread_local Scratch scratch;
     auto const members = neighbours.members(block);
     copy_rows(
         members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.rows);
-    copy_rows(
-        members, system.particles.q, [](Index) { return 0.0; }, phantom_distance(system), scratch.float_rows);
+    round_rows(scratch.rows, scratch.float_rows);
     select_pairs(neighbours, block, scratch.float_rows, scratch.selection);
     auto const sums = find_block_forces(system, potential, block, members, scratch, failure);
     system.block_energy[block] = sums.energy, system.block_virial[block] = sums.virial;

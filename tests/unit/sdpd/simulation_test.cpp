@@ -309,7 +309,7 @@ TEST(FluctuationAndDissipation, DoesNotKnowWhichPartnerComesFirst) {
 TEST(ConservativeDynamics, IsReversible) {
   auto system = lj_system(100);
   auto verlet = [&](double dt) {
-    kick(system, dt / 2), drift(system, dt);
+    kick_and_drift(system, dt / 2, dt);
     refresh_lists(system), find_pairs_and_densities(system), thermodynamics_from_entropy(system),
         find_forces(system);
     kick(system, dt / 2);
