@@ -70,6 +70,7 @@ Plot figure_3_7(Melts const& melts) {
     }
     series.push_back(std::move(thesis));
   }
+  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 
@@ -101,8 +102,8 @@ Plot figure_3_8(Melts const& melts) {
 Plot heat_capacity_differences(Melts const& melts) {
   auto plot = half_plot("fig38b", "Heat capacity: melt against vacuum", "rho", "C_{melt}/C_{vacuum} - 1 [%]");
   plot.x.min = 0, plot.x.max = highest_density;
-  plot.panels[0].level_lines = {-5, 0, 5}; // the thesis's bounds
-  plot.panels[0].y.min = -8, plot.panels[0].y.max = 8;
+  plot.panels[0].level_lines = {-5, 0, 5};              // the thesis's bounds
+  plot.panels[0].y.min = -8, plot.panels[0].y.max = 12; // the legend stands above
   std::map<int, Series> of_star;
   for (auto const* const melt : melts) {
     auto const difference = heat_capacity_difference(*melt);

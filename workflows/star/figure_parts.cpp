@@ -36,11 +36,14 @@ Series curve_of(std::string label, SeriesStyle style, int colour) {
 }
 
 void leave_room_for_legend(Panel& panel) {
-  constexpr double room = 0.35;
+  constexpr double room_at_least = 0.1, room_for_a_line = 0.15; // of the height of the data
+  double room = room_at_least;
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (auto const& series : panel.series)
+  for (auto const& series : panel.series) {
+    room += series.label.empty() ? 0 : room_for_a_line;
     for (double const y : series.y)
       least = std::min(least, y), most = std::max(most, y);
+  }
   if (least < most)
     panel.y.max = most + room * (most - least);
 }

@@ -11,7 +11,7 @@ Series points_of(cg::Profile const& profile, std::string label, int colour);
 /// Without its points yet.
 Series curve_of(std::string label, SeriesStyle style, int colour);
 std::string density_label(ChapterMelt const& melt);
-/// Raises the top of a panel by what a legend takes.
+/// Raises the top of a panel by what a legend over rising curves takes.
 void leave_room_for_legend(Panel& panel);
 
 } // namespace mesobridge::workflows
