@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_scene.hpp"
+#include "sdpd/observe/runaway.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/histogram_series.hpp"
@@ -134,8 +135,11 @@ class Run {
   void record() {
     auto due = [this](std::int64_t every) { return every > 0 && done_ % every == 0; };
     double const time = static_cast<double>(done_) * settings_.dt;
+    auto const observed = simulation_.observe();
+    if (simulation_.has_noise()) // what flows without noise has no temperature of its motion
+      sdpd::refuse_runaway(observed, settings_.dt);
     if (due(scene_.run.sample_every))
-      run_file_->append(simulation_.observe(), time);
+      run_file_->append(observed, time);
     bool const instant = due(every_instant_), profile = due(scene_.profile.every),
                histogram = due(scene_.histogram.every);
     if (instant || profile || histogram) {

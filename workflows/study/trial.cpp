@@ -1,6 +1,7 @@
 #include "workflows/study/trial.hpp"
 #include "cg/histogram.hpp"
 #include "sdpd/observe/energy_walk.hpp"
+#include "sdpd/observe/runaway.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/processor_clock.hpp"
 #include <gsl/gsl_cdf.h>
@@ -66,11 +67,7 @@ class TrialRun {
 
   void take_sample(double time) {
     auto const now = simulation_.observe();
-    if (!(now.T_kin < too_hot))
-      throw PhysicsError(
-          fmt::format("step {} (dt = {:.6g} reduced): the kinetic temperature has grown to {:.3g} "
-                      "times the set one",
-                      now.step, settings_.dt, now.T_kin));
+    sdpd::refuse_runaway(now, settings_.dt);
     sampler_.sample(now, time);
   }
 
@@ -140,8 +137,6 @@ class TrialRun {
       return {};
     return sdpd::drift_from_energy_walk(times, sampler_.energies(), walk_lag, 1 / settings_.K, 1);
   }
-
-  static constexpr double too_hot = 2; ///< set temperatures: what a trial is to tell about is gone by then
 
   Trial const& trial_;
   sdpd::SimulationSettings settings_;

@@ -1,0 +1,14 @@
+#pragma once
+#include "sdpd/observe/observation.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Fluids in equilibrium are at their set temperature; one whose kinetic temperature is this many times as
+/// high, or no number, has a time step that is too long for its motion. Schemes that refuse bad steps of
+/// pairs (EMS, AMS) would go on for ever.
+inline constexpr double runaway_temperature = 2;
+
+/// Throws PhysicsError that names step, time step and temperature once that has happened.
+void refuse_runaway(Observation const& now, double dt);
+
+} // namespace mesobridge::sdpd
