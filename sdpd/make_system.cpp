@@ -51,7 +51,7 @@ double noise_boltzmann(SimulationSettings const& s) {
 AnyConduction conduction_of(SimulationSettings const& s) {
   if (s.kappa == 0)
     return std::monostate();
-  return SdpdConduction(s.kappa / s.units().conductivity(), noise_boltzmann(s));
+  return SdpdConduction{s.kappa / s.units().conductivity(), noise_boltzmann(s)};
 }
 
 System sdpd_system(SimulationSettings const& s) {
@@ -81,7 +81,7 @@ System pair_fluid_system(SimulationSettings const& s) {
           .self_density = 0,
           .potential = fluid.reduced_potential(units),
           .law = fluid.law(units),
-          .conduction = std::monostate(),
+          .conduction = fluid.reduced_conduction(units),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
           .boltzmann = 1,
           .seed = s.seed,

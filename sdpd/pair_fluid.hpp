@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/internal_energy.hpp"
+#include "sdpd/pair/heat_conduction.hpp"
 #include "sdpd/pair/list.hpp"
 #include "sdpd/pair/potential.hpp"
 #include "sdpd/units.hpp"
@@ -15,16 +16,20 @@ struct PairFluid {
   AnyPotential potential;
   AnyFrictionShape friction;                                 ///< friction coefficients at the set temperature
   std::optional<fitting::AnyInternalEnergy> internal_energy; ///< DPDE; without it DPD
+  /// DPDE: kappa chi^2 of DpdeConduction, in energy times temperature over time, as the weight along the line
+  /// of centres; without it particles exchange heat by friction alone.
+  std::optional<AnyFrictionShape> conduction = {};
 
   bool follows_energy() const { return internal_energy.has_value(); }
   double friction_cutoff() const;
-  /// The larger cut-off of the potential and the friction.
+  /// The largest cut-off of the potential, the friction and the conduction.
   double range() const;
 
   /// The customary units of DPD: m, the friction's cut-off and k_B T are one.
   ReducedUnits units(double T) const;
   AnyPairLaw law(ReducedUnits const& units) const;
   AnyPotential reduced_potential(ReducedUnits const& units) const;
+  AnyConduction reduced_conduction(ReducedUnits const& units) const;
 };
 
 /// Throws InputError that names the quantity that is out of bounds.

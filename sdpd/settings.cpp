@@ -10,6 +10,10 @@ double SimulationSettings::range() const {
   return pair_fluid ? pair_fluid->range() / units().length() : h_factor;
 }
 
+bool SimulationSettings::conducts() const {
+  return pair_fluid ? pair_fluid->conduction.has_value() : kappa > 0;
+}
+
 ReducedUnits SimulationSettings::units() const {
   if (pair_fluid)
     return pair_fluid->units(T);

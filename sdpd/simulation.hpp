@@ -46,6 +46,7 @@ struct SimulationSettings {
   ReducedUnits units() const;
   double spacing() const; ///< mean distance between particles, reduced: 1 for SDPD
   double range() const;   ///< of the interaction, reduced
+  bool conducts() const;  ///< whether particles exchange heat beside their friction
 };
 
 /// Throws InputError that names the quantity that is out of bounds.

@@ -22,6 +22,12 @@ inline SimulationSettings dpde_fluid(double C, double dt = 0.01, double across =
   return s;
 }
 
+/// DPDE particles that conduct heat.
+inline SimulationSettings with_pair_conduction(SimulationSettings settings, AnyFrictionShape const& weight) {
+  settings.pair_fluid->conduction = weight;
+  return settings;
+}
+
 /// DPDE particles that exert no conservative force: an ideal gas with friction.
 inline SimulationSettings dpde_ideal(double C, double dt, double across) {
   auto s = dpde_fluid(C, dt, across);

@@ -32,6 +32,7 @@ constexpr Unit units[] = {
     {Dimension::viscosity, "Pa*s", 1},   {Dimension::viscosity, "mPa*s", 1e-3},
     {Dimension::friction, "kg/s", 1},    {Dimension::force, "N", 1},
     {Dimension::force, "pN", 1e-12},     {Dimension::conductivity, "W/(m*K)", 1},
+    {Dimension::conduction, "W*K", 1},
 };
 
 std::vector<std::string> names_of(Dimension dimension) {

@@ -17,7 +17,8 @@ enum class Dimension {
   viscosity,
   friction,
   force,
-  conductivity
+  conductivity,
+  conduction ///< of heat between two particles by their inverse temperatures
 };
 
 /// Reads "500 m/s" as a value in SI. Throws InputError that says what is wrong and which units are allowed;

@@ -6,11 +6,11 @@ namespace mesobridge::sdpd {
 namespace {
 
 void check(std::vector<double> const& r, std::vector<double> const& gamma, char const* name) {
-  require(gamma.size() == r.size() && r.size() >= 3, "points of the friction table", gamma.size(),
+  require(gamma.size() == r.size() && r.size() >= 3, "points of the table", gamma.size(),
           "must be at least 3, as many as distances");
   for (std::size_t k = 0; k < r.size(); ++k) {
     require(gamma[k] >= 0 && std::isfinite(gamma[k]), name, gamma[k], "must be >= 0 and finite");
-    require(std::isfinite(r[k]) && (k == 0 ? r[k] >= 0 : r[k] > r[k - 1]), "distance in the friction table",
+    require(std::isfinite(r[k]) && (k == 0 ? r[k] >= 0 : r[k] > r[k - 1]), "distance in the table",
             r[k], "must be >= 0, finite and larger than the one before");
   }
 }
@@ -34,9 +34,9 @@ class Interpolated {
 
 UniformTable tabulate(std::vector<double> const& r, std::vector<double> const& par,
                       std::vector<double> const& perp) {
-  check(r, par, "gamma_par in the friction table");
+  check(r, par, "weight along the line of centres");
   std::vector<double> const across = perp.empty() ? std::vector<double>(r.size(), 0.0) : perp;
-  check(r, across, "gamma_perp in the friction table");
+  check(r, across, "weight across the line of centres");
   Interpolated const par_at(r, par), perp_at(r, across);
   return UniformTable(r.front(), r.back(), [&](double at, double width) {
     double const par_0 = par_at(at), perp_0 = perp_at(at);

@@ -5,8 +5,8 @@ namespace mesobridge::sdpd {
 
 /// Heat conduction over dt by system.conduction, if there is any (theory sheet, section 1), pair after pair
 /// in the order of the lists, each by the exact step of a pair (see SdpdConduction, DpdeConduction) at the
-/// temperatures that the pair has then. What one particle gains the other loses, so that energy is conserved
-/// to round-off; momenta and densities stay.
+/// temperatures that the pair has then; pairs of a matching, which share no particle, in lanes. What one
+/// particle gains the other loses, so that energy is conserved to round-off; momenta and densities stay.
 ///
 ///   ssa, ser, hybrid, entropy    every step is made. Throws PhysicsError when an energy leaves the equation
 ///   of state. ams       a step that would lead an energy out of the equation of state is not made. ems that,
@@ -20,5 +20,9 @@ namespace mesobridge::sdpd {
 /// Needs caloric expansions that begin at the energies (thermodynamics_from_energy), and leaves T behind
 /// them. `second` draws other random numbers: for the second sweep of a step.
 void conduct(System& system, PairScheme scheme, double dt, bool second = false);
+
+/// The same with the same noise in double precision and with exact inversions of the equation of state: the
+/// oracle of the fast one. For SSA, AMS and EMS.
+void conduct_plain(System& system, PairScheme scheme, double dt, bool second = false);
 
 } // namespace mesobridge::sdpd

@@ -14,13 +14,6 @@ Bath<double>::Directions step_of(Sweep<Law> const& sweep, PairWeights<double> co
 
 } // namespace
 
-double acceptance_uniform(NoiseSource const& source, std::uint32_t low, std::uint32_t high,
-                          std::uint32_t first_bits) {
-  auto const word =
-      Philox4x32::generate({low, high, source.step_low, source.step_high_and_stream}, source.key);
-  return (first_bits + word[0] / 4294967296.0) / (1u << spare_bits);
-}
-
 template <class Law>
 ExactPair<Law>::ExactPair(System const& system, std::array<FluctuatingParticle*, 2> particles,
                           std::array<Index, 2> places)

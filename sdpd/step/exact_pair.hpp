@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/step/fluctuation_sweep.hpp"
+#include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -35,9 +35,5 @@ class ExactPair {
   std::array<Index, 2> index_;
   std::array<ThermalState, 2> at_;
 };
-
-/// The uniform number of a pair's Metropolis test: its spare bits first, then 32 of its own.
-double acceptance_uniform(NoiseSource const& source, std::uint32_t low, std::uint32_t high,
-                          std::uint32_t first_bits);
 
 } // namespace mesobridge::sdpd

@@ -6,7 +6,7 @@
 namespace mesobridge::sdpd {
 namespace {
 
-template <Across across, class Weights>
+template <Across across, PairNoise noise, class Weights>
 void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles, Weights const& weights,
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
   // A distance beside the range may round past it, where some kernels are below zero. Pairs with one weight
@@ -17,9 +17,11 @@ void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles
     auto const b = load_wide_rows([&](std::size_t l) { return &rows[pair[l].j]; });
     WideFloats const x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     auto const [r, inverse_r] = WideDistances(x * x + y * y + z * z);
-    store(x * inverse_r, &inputs.e_x[first]);
-    store(y * inverse_r, &inputs.e_y[first]);
-    store(z * inverse_r, &inputs.e_z[first]);
+    if constexpr (noise != PairNoise::flow) {
+      store(x * inverse_r, &inputs.e_x[first]);
+      store(y * inverse_r, &inputs.e_y[first]);
+      store(z * inverse_r, &inputs.e_z[first]);
+    }
     auto const weight = weights(r, inverse_r, a[3], b[3]);
     store(weight.par < least ? least : weight.par, &inputs.weight[first]);
     if constexpr (across == Across::own)
@@ -126,10 +128,11 @@ std::optional<Caloric> expansion(System const& system, Index i, double eps, doub
   try {
     return system.thermodynamics->caloric(system.particles, i, eps, T_guess);
   } catch (std::exception const& error) {
-    failure.report(system.particles.id[i],
-                   fmt::format("fluctuation and dissipation took its internal energy to {:.6g} (in K "
-                               "k_B T): {}; take a shorter time step or larger particles",
-                               eps, error.what()));
+    failure.report(
+        system.particles.id[i],
+        fmt::format("what it exchanged with its neighbours took its internal energy to {:.6g} (in K "
+                    "k_B T): {}; take a shorter time step or larger particles",
+                    eps, error.what()));
     return std::nullopt;
   }
 }
@@ -207,7 +210,7 @@ void prepare_pairs(System const& system, Law const& law, BlockGeometry const& bl
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs) {
   inputs.resize(pairs.size() + wide_count, Law::across, Law::noise);
   with_weights(system, law, [&](auto const& weights) {
-    prepare_directions<Law::across>(block.rows(), block.size(), weights, pairs, inputs);
+    prepare_directions<Law::across, Law::noise>(block.rows(), block.size(), weights, pairs, inputs);
   });
   prepare_noise<Law::noise>(block.ids(), pairs, NoiseLanes(source), inputs);
 }

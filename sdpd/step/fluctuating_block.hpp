@@ -17,10 +17,10 @@ static_assert(sizeof(FluctuatingParticle) == sizeof(Lanes));
 /// What a pair's step needs and does not depend on the pairs before it: direction e = r/|r|, the weight of
 /// its friction (SDPD: chi = F/(rho_i rho_j)) and noise, as one array each.
 struct PairInputs {
-  std::vector<float> e_x, e_y, e_z, weight;
-  std::vector<float> G_x, G_y, G_z; ///< the first alone where the noise is one number
-  std::vector<float> weight_across; ///< for laws with Across::own
-  std::vector<std::uint32_t> bits;  ///< spare random bits of the noise
+  std::vector<float> e_x, e_y, e_z, weight; ///< directions not where heat alone flows
+  std::vector<float> G_x, G_y, G_z;         ///< the first alone where the noise is one number
+  std::vector<float> weight_across;         ///< for laws with Across::own
+  std::vector<std::uint32_t> bits;          ///< spare random bits of the noise
 
   void resize(std::size_t count, Across across, PairNoise noise) {
     for (auto* values : {&e_x, &e_y, &e_z, &weight, &G_x})

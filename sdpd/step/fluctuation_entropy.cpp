@@ -1,6 +1,6 @@
 #include "sdpd/step/fluctuation_entropy.hpp"
 #include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation_sweep.hpp"
+#include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -49,7 +49,7 @@ void add_steps(System& system, SdpdLaw const& law, double dt, bool second, std::
   thread_local PairInputs diagonal, off;
   auto const pairs = system.neighbours.pairs(number);
   block.copy_in(system, number);
-  prepare_pairs(system, law, block, pairs, SweepNoise(system, second).pairs, diagonal);
+  prepare_pairs(system, law, block, pairs, SweepNoise::of_fluctuation(system, second).pairs, diagonal);
   prepare_pairs(
       system, law, block, pairs,
       NoiseSource(system.seed, second ? Stream::second_off_diagonal : Stream::off_diagonal, system.step),

@@ -2,8 +2,8 @@
 #include "sdpd/selected_pairs.hpp"
 #include "sdpd/step/conservative.hpp"
 #include "sdpd/step/fluctuation.hpp"
-#include "sdpd/step/fluctuation_sweep.hpp"
 #include "sdpd/step/pair_lanes.hpp"
+#include "sdpd/step/sweep.hpp"
 #include "sdpd/sum_over_particles.hpp"
 
 namespace mesobridge::sdpd {
@@ -85,7 +85,7 @@ class ImplicitStep {
 
   template <class Law>
   void make(Law const& law, double dt, bool second) {
-    SweepNoise const source(system_, second);
+    auto const source = SweepNoise::of_fluctuation(system_, second);
     system_.energy_gain.assign(system_.size(), 0);
     for_each_block(system_.neighbours.grid(), system_.threads,
                    [&](std::size_t block) { freeze(system_, law, dt, source.pairs, block, frozen_[block]); });

@@ -1,6 +1,6 @@
 #include "sdpd/step/fluctuation_isothermal.hpp"
-#include "sdpd/step/fluctuation_sweep.hpp"
 #include "sdpd/step/pair_lanes.hpp"
+#include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -53,10 +53,10 @@ void sweep_block(System& system, std::size_t number, Sweep<Law> const& sweep, Pa
 
 template <class Law>
 void fluctuate_isothermal(System& system, Law const& law, double dt, bool second) {
-  sweep_all_blocks(system, law, dt, second,
-                   [&](std::size_t block, Sweep<Law> const& sweep, PairCounts& counts, Failure&) {
-                     sweep_block(system, block, sweep, counts);
-                   });
+  Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
+  sweep_all_blocks<Law>(system, system.pair_counts, [&](std::size_t block, PairCounts& counts, Failure&) {
+    sweep_block(system, block, sweep, counts);
+  });
 }
 
 template void fluctuate_isothermal(System&, DpdLaw<Across::none> const&, double, bool);

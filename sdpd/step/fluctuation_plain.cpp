@@ -40,7 +40,7 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
       isothermal_step(block.particles()[pair.i], block.particles()[pair.j], e, weight, G, sweep);
     } else {
       try {
-        double const uniform = acceptance_uniform(sweep.noise.acceptance, low, high, bits);
+        double const uniform = sweep.noise.uniform(low, high, bits);
         ExactPair<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j})
             .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
       } catch (PhysicsError const& error) {
@@ -59,12 +59,12 @@ void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second) 
     throw std::logic_error("SER does not go pair after pair");
   std::visit(
       [&]<class Law>(Law const& law) {
+        Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
         with_weights(system, law, [&](auto const& weights) {
-          sweep_all_blocks(
-              system, law, dt, second,
-              [&](std::size_t block, Sweep<Law> const& sweep, PairCounts& counts, Failure& failure) {
-                sweep_block(system, weights, scheme, block, sweep, counts, failure);
-              });
+          sweep_all_blocks<Law>(system, system.pair_counts,
+                                [&](std::size_t block, PairCounts& counts, Failure& failure) {
+                                  sweep_block(system, weights, scheme, block, sweep, counts, failure);
+                                });
         });
       },
       system.law);

@@ -1,6 +1,6 @@
 #include "sdpd/step/fluctuation.hpp"
-#include "sdpd/step/fluctuation_sweep.hpp"
 #include "sdpd/step/pair_lanes.hpp"
+#include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -145,7 +145,7 @@ void apply(System& system) {
 template <class Law>
 void fluctuate_ser(System& system, Law const& law, double dt, bool second) {
   system.impulse.assign(system.size(), {});
-  Sweep<Law> const sweep{law, dt, SweepNoise(system, second)};
+  Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
   auto const& grid = system.neighbours.grid();
   if constexpr (Law::has_energies)
     system.energy_gain.assign(system.size(), 0);

@@ -52,6 +52,17 @@ void check_friction(Scene const& scene, Places const& places) {
     refuse("friction.file", "stands in place of gamma_par, gamma_perp and cutoff: give one or the other");
 }
 
+void check_conduction(Scene const& scene, Places const& places) {
+  auto const& c = scene.conduction;
+  auto refuse = [&](std::string const& key, std::string const& why) {
+    throw InputError(fmt::format("{}: key '{}' {}", places.of(key), key, why));
+  };
+  if (c.file && (c.kappa > 0 || c.cutoff))
+    refuse("conduction.file", "stands in place of kappa and cutoff: give one or the other");
+  if (c.cutoff && c.kappa == 0)
+    refuse("conduction.cutoff", "needs conduction.kappa > 0: without it no heat is conducted");
+}
+
 void check_internal_energy(Scene const& scene, Places const& places) {
   auto const& [heat_capacity, model] = scene.internal_energy;
   if (scene.method.name == "dpde" && heat_capacity.has_value() == model.has_value())
@@ -75,6 +86,7 @@ void resolve(std::optional<std::string>& file, std::string const& key, std::file
 void check_pair_fluid(Scene const& scene, Places const& places) {
   check_potential(scene, places);
   check_friction(scene, places);
+  check_conduction(scene, places);
   check_internal_energy(scene, places);
   auto refuse_for_dpd = [&](bool given, std::string const& key, std::string const& value,
                             std::string const& why) {
@@ -90,6 +102,7 @@ void check_pair_fluid(Scene const& scene, Places const& places) {
 void resolve_pair_files(Scene& scene, std::filesystem::path const& folder, Places const& places) {
   resolve(scene.potential.file, "potential.file", folder, places);
   resolve(scene.friction.file, "friction.file", folder, places);
+  resolve(scene.conduction.file, "conduction.file", folder, places);
   resolve(scene.internal_energy.model, "internal_energy.model", folder, places);
 }
 

@@ -66,6 +66,13 @@ struct Scene {
     std::optional<std::string> file;
     bool operator==(Friction const&) const = default;
   } friction;
+  struct Conduction { ///< dpde; the file, or the others
+    double kappa = 0;
+    std::optional<double> cutoff;
+    double exponent = 2;
+    std::optional<std::string> file;
+    bool operator==(Conduction const&) const = default;
+  } conduction;
   struct InternalEnergy { ///< dpde; one of the two
     std::optional<double> heat_capacity;
     std::optional<std::string> model;

@@ -11,11 +11,22 @@ bool is_si(Scene const& scene) {
   return scene.units == UnitSystem::SI;
 }
 
+/// What `make` makes of a file's table; its refusals name the key and the file.
+template <class Make>
+auto from_table(std::string const& key, std::string const& file, Make const& make) {
+  try {
+    return make();
+  } catch (InputError const& error) {
+    throw InputError(fmt::format("{} = \"{}\": {}", key, file, error.what()));
+  }
+}
+
 sdpd::TabulatedPotential tabulated_potential(Scene const& scene) {
   std::string const r = is_si(scene) ? "r_m" : "r", u = is_si(scene) ? "u_J" : "u",
                     f = is_si(scene) ? "f_N" : "f";
   auto columns = read_columns(*scene.potential.file, {r, u}, {f});
-  return {columns[r], columns[u], columns[f]};
+  return from_table("potential.file", *scene.potential.file,
+                    [&] { return sdpd::TabulatedPotential(columns[r], columns[u], columns[f]); });
 }
 
 /// The scene's checks have seen to it that the keys that a potential needs are there.
@@ -41,7 +52,23 @@ sdpd::AnyFrictionShape friction_of(Scene const& scene) {
   std::string const r = is_si(scene) ? "r_m" : "r", par = is_si(scene) ? "gamma_par_kg_s" : "gamma_par",
                     perp = is_si(scene) ? "gamma_perp_kg_s" : "gamma_perp";
   auto columns = read_columns(*friction.file, {r, par}, {perp});
-  return sdpd::TabulatedFriction(columns[r], columns[par], columns[perp]);
+  return from_table("friction.file", *friction.file,
+                    [&] { return sdpd::TabulatedFriction(columns[r], columns[par], columns[perp]); });
+}
+
+/// The scene's checks have seen to it that a cut-off comes with a conductivity.
+std::optional<sdpd::AnyFrictionShape> conduction_of(Scene const& scene, double friction_cutoff) {
+  auto const& conduction = scene.conduction;
+  if (conduction.file) {
+    std::string const r = is_si(scene) ? "r_m" : "r", kappa = is_si(scene) ? "kappa_W_K" : "kappa";
+    auto columns = read_columns(*conduction.file, {r, kappa}, {});
+    return from_table("conduction.file", *conduction.file,
+                      [&] { return sdpd::TabulatedFriction(columns[r], columns[kappa], {}); });
+  }
+  if (conduction.kappa == 0)
+    return std::nullopt;
+  return sdpd::PowerFriction(conduction.kappa, 0, conduction.cutoff.value_or(friction_cutoff),
+                             conduction.exponent);
 }
 
 fitting::AnyInternalEnergy internal_energy_of(Scene const& scene) {
@@ -64,8 +91,10 @@ sdpd::PairFluid pair_fluid_of(Scene const& scene) {
                         .potential = potential_of(scene),
                         .friction = friction_of(scene),
                         .internal_energy = {}};
-  if (scene.method.name == "dpde")
+  if (scene.method.name == "dpde") {
     fluid.internal_energy = internal_energy_of(scene);
+    fluid.conduction = conduction_of(scene, fluid.friction_cutoff());
+  }
   return fluid;
 }
 

@@ -50,7 +50,8 @@ class Run {
   static std::vector<std::filesystem::path> inputs(Scene const& scene) {
     std::vector<std::filesystem::path> files;
     for (auto const& file : {scene.fluid.eos, scene.potential.file.value_or(""),
-                             scene.friction.file.value_or(""), scene.internal_energy.model.value_or("")})
+                             scene.friction.file.value_or(""), scene.conduction.file.value_or(""),
+                             scene.internal_energy.model.value_or("")})
       if (std::filesystem::is_regular_file(file))
         files.emplace_back(file);
     return files;
@@ -238,7 +239,7 @@ class Run {
         put(json, energy + "_per_particle" + units_.energy_key,
             in(*mean, 1 / static_cast<double>(simulation_.size())));
     put_rejections(json, "rejected", simulation_.pair_counts());
-    if (settings_.kappa > 0)
+    if (settings_.conducts())
       put_rejections(json, "conduction_rejected", simulation_.conduction_counts());
     auto const p = simulation_.observe().momentum;
     json["momentum" + units_.momentum_key] = norm(p) * units_.momentum;

@@ -1,5 +1,6 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
+#include "pair_fluid_fixtures.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/step/conduction.hpp"
 #include "sdpd/step/conservative.hpp"
@@ -18,37 +19,38 @@ void conduct_for(System& system, PairScheme scheme, double dt, int steps) {
   }
 }
 
-/// A bar whose halves have the temperatures 0.9 and 1.1; particles stay where they are.
+/// A bar on a lattice whose halves have the temperatures 1 - d and 1 + d; particles stay where they are.
 class TwoBodies {
  public:
-  explicit TwoBodies(double kappa, double K) : kappa_(kappa) {
-    auto settings = with_conduction(ideal_gas(K, 0.1), kappa);
+  TwoBodies(SimulationSettings settings, double d) : d_(d) {
     settings.lattice = {6, 6, 24};
+    settings.disorder = 0;
     system_ = make_system(settings);
     capacity_ = system_->thermodynamics->heat_capacity(system_->particles, 0);
     for (std::size_t i = 0; i < system_->size(); ++i)
-      system_->particles.eps[i] *= z(i) < 0.5 ? 0.9 : 1.1;
+      system_->particles.eps[i] *= 1 + (z(i) < 0.5 ? -d : d);
     thermodynamics_from_energy(*system_);
   }
 
   System& system() { return *system_; }
   /// Decay rate of the longest wave by Fourier's law, kappa k^2/(rho C).
-  double rate() const {
+  double rate_by_fourier(double kappa) const {
     double const k = 2 * std::numbers::pi / system_->box.edge.z;
-    return kappa_ * k * k / capacity_;
+    return kappa * k * k / capacity_;
   }
-  /// The same of the particles: on a lattice every particle sees K sum_j (cos k z_j - 1).
-  double rate_by_direct_sum() const {
+  /// The same of particles of which j gives i the heat conductance(r_ij) (T_j - T_i) per time: on a lattice
+  /// every one sees sum_j conductance (cos k z_j - 1).
+  template <class Conductance>
+  double rate_by_direct_sum(double range, Conductance const& conductance) const {
     auto const& particles = system_->particles;
     double const k = 2 * std::numbers::pi / system_->box.edge.z;
-    CubicKernel const kernel(2.5);
     double sum = 0;
     for (std::size_t j = 1; j < particles.size(); ++j) {
       auto const r = system_->box.minimum_image(particles.q[j] - particles.q[0]);
-      if (norm(r) < 2.5)
-        sum += kernel.F(norm(r), 1 / norm(r)) * (1 - std::cos(k * r.z));
+      if (norm(r) < range)
+        sum += conductance(norm(r)) * (1 - std::cos(k * r.z));
     }
-    return 2 * kappa_ * sum / (particles.rho[0] * particles.rho[0] * capacity_);
+    return sum / capacity_;
   }
   /// Amplitude of the longest wave.
   double wave() const {
@@ -64,16 +66,17 @@ class TwoBodies {
     return sum[1] / count[1] - sum[0] / count[0];
   }
   /// The same by Fourier's law: the series of two bars in contact at both ends.
-  double difference_by_fourier(double time) const {
+  double difference_by_fourier(double kappa, double time) const {
     double sum = 0;
     for (int n = 1; n < 100; n += 2)
-      sum += 8 / (std::numbers::pi * std::numbers::pi * n * n) * std::exp(-rate() * n * n * time);
-    return 0.2 * sum;
+      sum += 8 / (std::numbers::pi * std::numbers::pi * n * n) *
+             std::exp(-rate_by_fourier(kappa) * n * n * time);
+    return 2 * d_ * sum;
   }
 
  private:
   double z(std::size_t i) const { return system_->box.wrap(system_->particles.q[i]).z / system_->box.edge.z; }
-  double kappa_, capacity_;
+  double d_, capacity_;
   std::unique_ptr<System> system_;
 };
 
@@ -83,25 +86,50 @@ class TwoBodies {
 // finite wave number is 0.6 %; the sweep makes it 0.15 % slower at the first look, in proportion to dt. At
 // fixed places with a disorder of 0.2 spacings it was found to be 10 % slow.
 TEST(Conduction, BringsTwoBodiesTogetherAtTheRateOfFouriersLaw) {
-  TwoBodies bodies(1, 1e9);
-  double const dt = 0.05, wave = bodies.wave(), energy = total_energy(bodies.system());
+  double const kappa = 1;
+  TwoBodies bodies(with_conduction(ideal_gas(1e9, 0.1), kappa), 0.1);
+  double const dt = 0.05, rho = bodies.system().particles.rho[0], wave = bodies.wave(),
+               energy = total_energy(bodies.system());
+  CubicKernel const kernel(2.5);
+  double const rate =
+      bodies.rate_by_direct_sum(2.5, [&](double r) { return 2 * kappa * kernel.F(r, 1 / r) / (rho * rho); });
   EXPECT_NEAR(bodies.difference(), 0.2, 1e-12);
   int compared = 0;
   for (int const steps : {220, 440, 880}) {
     conduct_for(bodies.system(), PairScheme::ssa, dt, steps - int(bodies.system().step));
     double const time = steps * dt, measured = -std::log(bodies.wave() / wave) / time;
-    EXPECT_NEAR(measured / bodies.rate_by_direct_sum(), 1, 0.002);
-    EXPECT_NEAR(measured / bodies.rate(), 0.977, 0.003);
-    EXPECT_NEAR(bodies.difference(), bodies.difference_by_fourier(time), 0.002);
+    EXPECT_NEAR(measured / rate, 1, 0.002);
+    EXPECT_NEAR(measured / bodies.rate_by_fourier(kappa), 0.977, 0.003);
+    EXPECT_NEAR(bodies.difference(), bodies.difference_by_fourier(kappa, time), 0.002);
     ++compared;
   }
   EXPECT_EQ(compared, 3);
   EXPECT_NEAR(total_energy(bodies.system()) / energy, 1, 1e-14);
 }
 
+// DPDE: w (1/T_i - 1/T_j) is w (T_j - T_i) at T = 1, to d^2 = 1e-4. Noise: C = 1e9 k_B, as above. Friction
+// ends at 1, conduction at 1.5.
+TEST(Conduction, OfDpdeBringsTwoBodiesTogetherAtTheRateOfADirectSum) {
+  double const kappa = 1e9, cutoff = 1.5, dt = 0.02;
+  TwoBodies bodies(with_pair_conduction(dpde_fluid(1e9), PowerFriction(kappa, 0, cutoff, 2)), 0.01);
+  double const wave = bodies.wave(), energy = total_energy(bodies.system());
+  double const rate = bodies.rate_by_direct_sum(
+      cutoff, [&](double r) { return kappa * (1 - r / cutoff) * (1 - r / cutoff); });
+  EXPECT_NEAR(bodies.difference(), 0.02, 1e-12);
+  int compared = 0;
+  for (int const steps : {200, 400}) {
+    conduct_for(bodies.system(), PairScheme::ssa, dt, steps - int(bodies.system().step));
+    EXPECT_NEAR(-std::log(bodies.wave() / wave) / (steps * dt) / rate, 1, 0.003);
+    EXPECT_LT(bodies.difference(), 0.016);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 2);
+  EXPECT_NEAR(total_energy(bodies.system()) / energy, 1, 1e-14);
+}
+
 // A step thousands of times as long as a pair's relaxation.
 TEST(Conduction, IsStableAtAnyTimeStep) {
-  TwoBodies bodies(1, 100);
+  TwoBodies bodies(with_conduction(ideal_gas(100, 0.1), 1), 0.1);
   double const energy = total_energy(bodies.system());
   conduct_for(bodies.system(), PairScheme::ssa, 1e6, 30);
   EXPECT_NEAR(total_energy(bodies.system()) / energy, 1, 1e-13);
@@ -139,6 +167,29 @@ TEST_P(ConductionOfSmallParticles, HasTheExactLawOfTheEnergies) {
   auto const& counts = system->conduction_counts;
   RecordProperty("rejected_by_metropolis",
                  std::to_string(double(counts.metropolis) / double(counts.proposed)));
+  EXPECT_GT(counts.metropolis, 0u);
+  EXPECT_LT(double(counts.metropolis), 0.5 * double(counts.proposed));
+}
+
+// DPDE's measure is exp(S/k_B) alone, without 1/T: eps of a constant heat capacity C follows Gamma(C/k_B + 1,
+// k_B T). Large time steps as above.
+TEST(ConductionOfDpde, HasTheExactLawOfTheEnergies) {
+  double const C = 6, dt = 0.3;
+  auto settings = with_pair_conduction(dpde_fluid(C, dt), PowerFriction(40, 0, 1.2, 2));
+  settings.lattice = {10, 10, 10};
+  auto const system = make_system(settings);
+  std::vector<double> energies;
+  conduct_for(*system, PairScheme::ems, dt, 20);
+  for (int k = 0; k < 40; ++k) {
+    conduct_for(*system, PairScheme::ems, dt, 4);
+    energies.insert(energies.end(), system->particles.eps.begin(), system->particles.eps.end());
+  }
+  ASSERT_EQ(energies.size(), 40000u);
+  double const scale = C / (C + 1); // all energies together are what C particles of T = 1 have
+  auto law = [](double a, double unit) { return [=](double x) { return gsl_cdf_gamma_P(x, a, unit); }; };
+  EXPECT_GT(cg::kolmogorov_smirnov_p(energies, law(C + 1, scale)), 1e-3);
+  EXPECT_LT(cg::kolmogorov_smirnov_p(energies, law(C, 1)), 1e-3); // with 1/T
+  auto const& counts = system->conduction_counts;
   EXPECT_GT(counts.metropolis, 0u);
   EXPECT_LT(double(counts.metropolis), 0.5 * double(counts.proposed));
 }

@@ -48,6 +48,13 @@ std::vector<Case> const cases{
     {"dpde_ems_table", with_scheme(with_table(dpde_fluid(10)), {.pairs = PairScheme::ems})},
     {"dpde_ems_heat_capacity_table",
      with_scheme(with_heat_capacity_table(dpde_fluid(10)), {.pairs = PairScheme::ems})},
+    {"dpde_ems_that_conducts",
+     with_pair_conduction(
+         with_scheme(dpde_fluid(10), {.pairs = PairScheme::ems, .splitting = Splitting::strang}),
+         PowerFriction(20, 0, 1.3, 2))},
+    {"dpde_ssa_that_conducts_by_a_table",
+     with_pair_conduction(with_heat_capacity_table(dpde_fluid(60)),
+                          TabulatedFriction({0.1, 0.5, 0.8}, {30, 10, 0}, {}))},
     {"dpde_ser", with_scheme(dpde_fluid(30, 0.005), {.pairs = PairScheme::ser})},
     {"dpde_strang_kept_three_to_one",
      with_scheme(dpde_fluid(20, 0.01),

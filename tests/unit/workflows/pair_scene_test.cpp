@@ -117,6 +117,10 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
       {"heat_capacity = 60", "heat_capacity = 0", {"internal_energy.heat_capacity", "> 0"}},
       {"heat_capacity = 60", "model = \"none.toml\"", {"internal_energy.model", "none.toml"}},
       {"name = \"dpde\"", "name = \"dpd\"", {"internal_energy.heat_capacity", "dpde"}},
+      {"[scheme]", "[conduction]\nkappa = -1\n[scheme]", {"conduction.kappa", "-1"}},
+      {"[scheme]", "[conduction]\ncutoff = 1\n[scheme]", {"conduction.cutoff", "conduction.kappa"}},
+      {"[scheme]", "[conduction]\nfile = \"none.csv\"\n[scheme]", {"conduction.file", "none.csv"}},
+      {"[scheme]", "[conduction]\nkapa = 1\n[scheme]", {"kapa", "kappa"}},
   };
   int ran = 0;
   for (auto const& [what, by, parts] : cases) {
@@ -125,12 +129,40 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
       EXPECT_NE(message.find(part), std::string::npos) << "looked for " << part << " in: " << message;
     ++ran;
   }
-  EXPECT_EQ(ran, 12);
+  EXPECT_EQ(ran, 16);
   auto dpd = replaced(replaced(dpde, "name = \"dpde\"", "name = \"dpd\""),
                       "[internal_energy]\nheat_capacity = 60\n", "");
   EXPECT_EQ(error_of(dpd), "no error");
+  EXPECT_NE(error_of(dpd + "[conduction]\nkappa = 1\n").find("dpde"), std::string::npos);
   EXPECT_NE(error_of(replaced(dpd, "dt = 0.01", "dt = 0.01\nname = \"ems\"")).find("no internal energies"),
             std::string::npos);
+}
+
+/// The conduction's weight of a pair at distance r, reduced.
+double conduction_weight(Scene const& scene, double r) {
+  auto const settings = settings_of(scene, 1);
+  auto const law = settings.pair_fluid->reduced_conduction(settings.units());
+  return std::visit([r](auto const& shape) { return shape(r).par; },
+                    std::get<sdpd::DpdeConduction>(law).shape);
+}
+
+// In SI: energy temperature/time with k_B T = 4.141947e-21 J, T = 300 K and the time r_c (m/k_B T)^(1/2).
+TEST(PairScene, ReadsConductionInBothUnitSystems) {
+  auto const reduced = parse_scene(dpde + "[conduction]\nkappa = 20\ncutoff = 1.5\n", "dpde.toml");
+  EXPECT_DOUBLE_EQ(conduction_weight(reduced, 0.75), 5);
+  EXPECT_TRUE(parse_scene(resolved_toml(reduced), "resolved.toml") == reduced);
+  EXPECT_DOUBLE_EQ(settings_of(reduced, 1).range(), 1.5);
+  auto const as_friction = parse_scene(dpde + "[conduction]\nkappa = 20\nexponent = 1\n", "dpde.toml");
+  EXPECT_DOUBLE_EQ(conduction_weight(as_friction, 0.75), 5);
+  EXPECT_FALSE(settings_of(parse_scene(dpde, "dpde.toml"), 1).conducts());
+
+  auto si = parse_scene(dpde, "dpde.toml");
+  si.units = UnitSystem::SI;
+  si.fluid = {.eos = {}, .rho = 3000, .T = 300, .m0 = {}};
+  si.particles.mass = 1e-24, si.friction.gamma_par = 1e-13, si.friction.cutoff = 1e-9;
+  si.potential.name = "none";
+  si.conduction.kappa = 20 * 4.141947e-21 * 300 / (1e-9 * std::sqrt(1e-24 / 4.141947e-21));
+  EXPECT_NEAR(conduction_weight(si, 0.5), 5, 1e-5);
 }
 
 TEST(PairScene, TakesTablesAndModelsFromFiles) {
@@ -146,7 +178,17 @@ TEST(PairScene, TakesTablesAndModelsFromFiles) {
   auto text = replaced(dpde, "name = \"soft\"\na = 25\ncutoff = 1", "name = \"table\"\nfile = \"u.csv\"");
   text = replaced(text, "gamma_par = 4.5\ncutoff = 1", "file = \"gamma.csv\"");
   text = replaced(text, "heat_capacity = 60", "model = \"model.toml\"");
-  auto const settings = settings_of(parse_scene(text, scratch / "scene.toml"), 1);
+  write_text_file(scratch / "kappa.csv", "r,kappa\n0,8\n0.5,2\n1.2,0\n");
+  text += "[conduction]\nfile = \"kappa.csv\"\n";
+  auto const scene = parse_scene(text, scratch / "scene.toml");
+  EXPECT_NEAR(conduction_weight(scene, 0.5), 2, 1e-3);
+  try {
+    parse_scene(text + "kappa = 1\n", scratch / "scene.toml");
+    FAIL();
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("stands in place of kappa"), std::string::npos) << error.what();
+  }
+  auto const settings = settings_of(scene, 1);
   auto const& fluid = *settings.pair_fluid;
   EXPECT_NEAR(std::get<sdpd::TabulatedPotential>(fluid.potential)(0.325, 1 / 0.325).strength * 0.325,
               25 * 0.675, 1e-6);
@@ -161,6 +203,15 @@ TEST(PairScene, TakesTablesAndModelsFromFiles) {
     EXPECT_NE(std::string(error.what()).find("bad.csv:3: u = 'x'"), std::string::npos) << error.what();
   }
   EXPECT_THROW(read_columns(scratch / "bad.csv", {"r"}, {}), InputError);
+  write_text_file(scratch / "kappa.csv", "r,kappa\n0,8\n0.5,-2\n1.2,0\n");
+  try {
+    settings_of(scene, 1);
+    FAIL();
+  } catch (InputError const& error) {
+    std::string const message = error.what();
+    for (auto const* part : {"conduction.file", "kappa.csv", "-2", ">= 0"})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
   EXPECT_THROW(read_columns(scratch / "bad.csv", {"r", "u", "f"}, {}), InputError);
 }
 

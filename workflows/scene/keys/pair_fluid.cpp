@@ -77,6 +77,27 @@ std::vector<SceneKey> pair_fluid_keys() {
           "internal_energy", "model", [](Scene& s) { return &s.internal_energy.model; },
           "or the path of a model file with a table of C(T) or S(eps)")
           .of({"dpde"}),
+      Line(
+          "conduction", "kappa", [](Scene& s) { return &s.conduction.kappa; },
+          "heat that particles exchange beside their friction, at contact: kappa (1 - r/cutoff)^exponent "
+          "(1/T_i "
+          "- 1/T_j) per time, with its noise; 0: none")
+          .quantity(Dimension::conduction, not_negative)
+          .of({"dpde"}),
+      Line(
+          "conduction", "cutoff", [](Scene& s) { return &s.conduction.cutoff; },
+          "where it ends; if not given, where the friction does")
+          .quantity(Dimension::length, positive)
+          .of({"dpde"}),
+      Line(
+          "conduction", "exponent", [](Scene& s) { return &s.conduction.exponent; },
+          "of the weight; 2 is customary")
+          .in({.min = 0, .open = true, .max = 20})
+          .of({"dpde"}),
+      Line(
+          "conduction", "file", [](Scene& s) { return &s.conduction.file; },
+          "CSV with columns r,kappa (SI: r_m,kappa_W_K), in place of the above")
+          .of({"dpde"}),
   };
 }
 

@@ -4,13 +4,32 @@
 
 namespace mesobridge::sdpd {
 
-/// Streams of random numbers of the first and the second sweep of a step.
+/// Random numbers of a sweep: of the pairs' steps and of their Metropolis tests.
 struct SweepNoise {
   NoiseSource pairs, acceptance;
 
-  SweepNoise(System const& system, bool second)
-      : pairs(system.seed, second ? Stream::second_fluctuation : Stream::fluctuation, system.step),
-        acceptance(system.seed, second ? Stream::second_acceptance : Stream::acceptance, system.step) {}
+  SweepNoise(System const& system, Stream of_pairs, Stream of_acceptance)
+      : pairs(system.seed, of_pairs, system.step), acceptance(system.seed, of_acceptance, system.step) {}
+
+  /// The uniform number, in [0, 1), of the Metropolis test of particles `a` and `b` (ids): the spare bits of
+  /// their step first, then 32 of its own.
+  double uniform(std::uint32_t a, std::uint32_t b, std::uint32_t spare) const {
+    auto const word = Philox4x32::generate(
+        {std::min(a, b), std::max(a, b), acceptance.step_low, acceptance.step_high_and_stream},
+        acceptance.key);
+    return (spare + word[0] / 4294967296.0) / (1u << spare_bits);
+  }
+
+  /// Of the first or the second sweep of fluctuation and dissipation in a step.
+  static SweepNoise of_fluctuation(System const& system, bool second) {
+    return second ? SweepNoise(system, Stream::second_fluctuation, Stream::second_acceptance)
+                  : SweepNoise(system, Stream::fluctuation, Stream::acceptance);
+  }
+  /// Of heat conduction.
+  static SweepNoise of_conduction(System const& system, bool second) {
+    return second ? SweepNoise(system, Stream::second_conduction, Stream::second_conduction_acceptance)
+                  : SweepNoise(system, Stream::conduction, Stream::conduction_acceptance);
+  }
 };
 
 /// What a sweep needs beside the pairs.
@@ -37,15 +56,14 @@ void for_each_run(std::span<std::uint32_t const> ends, F&& f) {
   }
 }
 
-/// Calls sweep_block(block, sweep, counts, failure) for every block and then gives the energies gained, and
-/// the temperatures that belong to them, to the particles.
+/// Calls sweep_block(block, counts, failure) for every block, adds its counts to `total` and then gives the
+/// energies gained, and the temperatures that belong to them, to the particles.
 template <class Law, class SweepBlock>
-void sweep_all_blocks(System& system, Law const& law, double dt, bool second, SweepBlock const& sweep_block) {
+void sweep_all_blocks(System& system, PairCounts& total, SweepBlock const& sweep_block) {
   auto& particles = system.particles;
   auto const& grid = system.neighbours.grid();
   if constexpr (Law::has_energies)
     set_all(system, system.energy_gain, 0.0);
-  Sweep<Law> const sweep{law, dt, SweepNoise(system, second)};
   std::vector<PairCounts> counts(grid.blocks().size());
   // The phases after a failure are not swept: a particle that has left the equation of state would take its
   // neighbours with it, and the message would be about them.
@@ -58,7 +76,7 @@ void sweep_all_blocks(System& system, Law const& law, double dt, bool second, Sw
     if (phase > failed_phase)
       return;
     Failure of_block;
-    sweep_block(block, sweep, counts[block], of_block);
+    sweep_block(block, counts[block], of_block);
     if (of_block.any()) {
       failure.report(of_block.id(), of_block.message());
       failed_phase = phase;
@@ -66,7 +84,7 @@ void sweep_all_blocks(System& system, Law const& law, double dt, bool second, Sw
   });
   system.stop_at(failure);
   for (auto const& of_block : counts)
-    system.pair_counts += of_block;
+    total += of_block;
   if constexpr (Law::has_energies) {
 #pragma omp parallel for schedule(static) num_threads(system.threads)
     for (std::size_t i = 0; i < particles.size(); ++i) {
