@@ -1,4 +1,5 @@
 #include "sdpd/observe/equilibrium.hpp"
+#include <algorithm>
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
 
@@ -27,6 +28,12 @@ Drift energy_drift(std::span<double const> times, std::span<double const> energi
     rates[s] = slope(times.subspan(begin, end - begin), std::span(error).subspan(begin, end - begin));
   }
   return {slope(times, error), gsl_stats_sd(rates.data(), 1, segments) / std::sqrt(double(segments))};
+}
+
+std::size_t samples_before_heating(std::span<double const> energies, double heat) {
+  auto const heated =
+      std::ranges::find_if(energies, [&](double E) { return !(std::abs(E - energies[0]) <= heat); });
+  return static_cast<std::size_t>(heated - energies.begin());
 }
 
 InstantMoments moments(Snapshot const& now) {

@@ -13,6 +13,10 @@ struct Drift {
 /// segments, so that the memory of the series does not matter. Throws InputError for fewer than 32 samples.
 Drift energy_drift(std::span<double const> times, std::span<double const> energies);
 
+/// How many of the samples, from the first on, belong to the temperature at which they begin: those before
+/// the energy is first further than `heat` from energies[0].
+std::size_t samples_before_heating(std::span<double const> energies, double heat);
+
 /// Mean and variance over the particles of one quantity, each averaged over instants.
 struct ParticleMoments {
   cg::Estimate mean, variance;

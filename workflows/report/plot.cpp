@@ -143,13 +143,21 @@ struct Layout {
   double left, right, top, bottom;
 };
 
-Layout layout_of(Plot const& plot) {
-  bool outside = false;
+/// Room to the right of the panels: for the longest label, where a legend stands there.
+double right_margin(Plot const& plot) {
+  constexpr double sample_and_gaps = 64, letter = 7.4;
+  double room = 24;
   for (auto const& panel : plot.panels)
-    outside = outside || panel.legend == Legend::outside;
+    if (panel.legend == Legend::outside)
+      for (auto const& series : panel.series)
+        room = std::max({room, 190.0, sample_and_gaps + letter * static_cast<double>(series.label.size())});
+  return room;
+}
+
+Layout layout_of(Plot const& plot) {
   double const width = plot.width, height = plot.height;
   return {.left = 88 / width,
-          .right = 1 - (outside ? 190 : 24) / width,
+          .right = 1 - right_margin(plot) / width,
           .top = 1 - (plot.title.empty() ? 16 : 40) / height,
           .bottom = 64 / height};
 }

@@ -22,9 +22,7 @@ Plot drift_plot(std::string name, std::string title, std::vector<LineResult> con
   auto plot = over_time_step(std::move(name), std::move(title), "drift of E [1 / reduced time]", true);
   int colour = 0;
   for (auto const& line : lines) {
-    auto const [dt, rates] = line.values([](TrialResult const& trial) {
-      return cg::Estimate{trial.drift().rate, trial.drift().se, 8};
-    });
+    auto const [dt, rates] = line.drifts();
     auto points = resolved_points(line.label, dt, rates, colour);
     if (auto const law = line.drift_law(); law.known())
       plot.panels[0].series.push_back(law_curve("", std::exp(law.log_prefactor.mean), law.exponent.mean,
@@ -211,7 +209,7 @@ Reproduced reproduce_figure_4_9(ReproduceOptions const& options, Context const& 
     std::vector<cg::Estimate> y;
     for (std::size_t d = 0; d < dt.size(); ++d) {
       auto const &many = lines[k].trials[d], &one = single.trials[d];
-      if (many.failed() || one.failed() || !(one.drift().rate > 2 * one.drift().se))
+      if (!many.knows_drift() || !one.knows_drift() || !(one.drift().rate > 2 * one.drift().se))
         continue;
       double const ratio = many.drift().rate / one.drift().rate;
       double const se = std::abs(ratio) *

@@ -32,6 +32,9 @@ struct LineResult {
         result.first.push_back(dt[k]), result.second.push_back(value(trials[k]));
     return result;
   }
+  /// The time steps of the trials that know their drift, which those know too that failed late, and the
+  /// rates.
+  std::pair<std::vector<double>, std::vector<cg::Estimate>> drifts() const;
   PowerLaw drift_law() const;
 };
 

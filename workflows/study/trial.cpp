@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::int64_t instants = 64; ///< at which the particles are looked at one by one
 constexpr std::size_t stored_energies = 200;
+constexpr std::size_t least_samples = 32; ///< that energy_drift takes
+constexpr double most_heating = 0.02;     ///< in the set temperature, for what a drift is measured from
 constexpr double walk_lag = 3; ///< reduced time: the bounded part of the energy error has forgotten itself
 
 /// A trial on its way.
@@ -30,7 +32,7 @@ class TrialRun {
       advance(trial_.scene.run.equilibrate, keep_going, [] {});
       sample(keep_going);
     } catch (PhysicsError const& error) {
-      return {.failure = error.what(), .dt = settings_.dt};
+      return failed(error.what());
     }
     return result();
   }
@@ -86,28 +88,29 @@ class TrialRun {
     return cg::histogram(values, bins.lower, bins.upper, bins.count).density;
   }
 
+  TrialResult failed(std::string failure) const {
+    TrialResult found{.failure = std::move(failure), .dt = settings_.dt};
+    if (samples_for_drift() >= least_samples)
+      add_energies(found);
+    return found;
+  }
+
   TrialResult result() const {
     auto const equilibrium = sampler_.result();
-    double const K = settings_.K, E_0 = sampler_.energies()[0];
+    double const K = settings_.K;
     auto in = [](cg::Estimate const& e, double unit) {
       return cg::Estimate{e.mean * unit, e.se * unit, e.n_eff};
     };
     auto const counts = simulation_.pair_counts();
     double const pairs = std::max(1.0, static_cast<double>(counts.proposed - counts_at_start_.proposed));
-    double const sign = E_0 < 0 ? -1 : 1;
     TrialResult found{
         .failure = {},
         .dt = settings_.dt,
-        .settled = static_cast<double>(trial_.scene.run.equilibrate) * settings_.dt,
         .T_kin = equilibrium.T_kin,
         .T_int = equilibrium.T_int,
         .P = equilibrium.P,
         .eps_mean = in(equilibrium.eps.mean, K),
         .eps_variance = in(equilibrium.eps.variance, K * K),
-        .drift_of_mean = trial_.scene.has_energies()
-                             ? sdpd::Drift{sign * equilibrium.drift.rate, equilibrium.drift.se}
-                             : sdpd::Drift{}, // DPD's thermostat keeps no energy that could drift
-        .drift_of_walk = walk(),
         .rejected_out_of_domain =
             static_cast<double>(counts.out_of_domain - counts_at_start_.out_of_domain) / pairs,
         .rejected_metropolis = static_cast<double>(counts.metropolis - counts_at_start_.metropolis) / pairs,
@@ -115,27 +118,44 @@ class TrialRun {
             seconds_ * 1e6 /
             (static_cast<double>(trial_.scene.run.steps) * static_cast<double>(simulation_.size())),
         .bins = trial_.bins,
-        .E_0 = E_0,
-        .heat_capacity = heat_capacity_,
         .first_half = histogram(first_),
-        .second_half = histogram(second_),
-        .times = {},
-        .energies = {}};
+        .second_half = histogram(second_)};
+    add_energies(found);
+    return found;
+  }
+
+  /// Adds what the energies in time say.
+  void add_energies(TrialResult& found) const {
+    double const E_0 = sampler_.energies()[0];
+    std::size_t const samples = std::max(samples_for_drift(), least_samples);
+    auto const times = sampler_.times().first(samples), energies = sampler_.energies().first(samples);
+    found.settled = static_cast<double>(trial_.scene.run.equilibrate) * settings_.dt;
+    found.E_0 = E_0, found.heat_capacity = heat_capacity_;
+    if (trial_.scene.has_energies()) { // DPD's thermostat keeps no energy that could drift
+      auto const drift = sdpd::energy_drift(times, energies);
+      found.drift_of_mean = {E_0 < 0 ? -drift.rate : drift.rate, drift.se};
+    }
+    found.drift_of_walk = walk(times, energies);
     std::size_t const every = std::max<std::size_t>(1, sampler_.times().size() / stored_energies);
     for (std::size_t k = 0; k < sampler_.times().size(); k += every) {
       found.times.push_back(sampler_.times()[k]);
       found.energies.push_back((sampler_.energies()[k] - E_0) / std::abs(E_0));
     }
-    return found;
   }
 
-  sdpd::Drift walk() const {
-    auto const times = sampler_.times();
+  std::size_t samples_for_drift() const {
+    return sampler_.energies().empty()
+               ? 0
+               : sdpd::samples_before_heating(sampler_.energies(),
+                                              most_heating * heat_capacity_ / settings_.K);
+  }
+
+  sdpd::Drift walk(std::span<double const> times, std::span<double const> energies) const {
     bool const conserved = !trial_.scene.has_energies() || settings_.scheme.keep_energy ||
                            settings_.scheme.conservative == sdpd::Conservative::none;
     if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 34 * walk_lag)
       return {};
-    return sdpd::drift_from_energy_walk(times, sampler_.energies(), walk_lag, 1 / settings_.K, 1);
+    return sdpd::drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K, 1);
   }
 
   Trial const& trial_;

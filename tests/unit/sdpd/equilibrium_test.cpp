@@ -38,6 +38,14 @@ TEST(EnergyDrift, FindsAKnownRateWithinItsErrors) {
   EXPECT_GE(covered, 90);
 }
 
+TEST(EnergyDrift, IsMeasuredBeforeTheFluidHasHeated) {
+  std::vector<double> const energies{5, 5.01, 4.99, 5.02, 5.3, 5.0, std::nan("")};
+  EXPECT_EQ(samples_before_heating(energies, 0.1), 4u); // not what comes back
+  EXPECT_EQ(samples_before_heating(energies, 0.005), 1u);
+  EXPECT_EQ(samples_before_heating(energies, 1), 6u); // no number is far from all
+  EXPECT_EQ(samples_before_heating(std::span(energies).first(4), 0.1), 4u);
+}
+
 TEST(EnergyDrift, RefusesTooFewSamples) {
   std::vector<double> const few(31, 1.0);
   EXPECT_THROW(energy_drift(few, few), InputError);
