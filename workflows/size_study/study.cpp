@@ -4,11 +4,39 @@
 #include "sdpd/observe/radial_distribution.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/job_pool.hpp"
+#include "workflows/study/stored_part.hpp"
+#include "workflows/version.hpp"
 #include <algorithm>
 #include <mutex>
 #include <span>
 
 namespace mesobridge::workflows {
+
+// For stored parts.
+template <class Result, class F>
+requires std::is_same_v<std::remove_const_t<Result>, SizeCalibration>
+void for_each_member(Result& c, F const& f) {
+  f("kernel", c.kernel), f("K", c.K);
+  f("scale", c.found.constants.scale), f("self", c.found.constants.self);
+  f("scale_se", c.found.scale_se), f("self_se", c.found.self_se);
+  f("rho", c.found.rho), f("P", c.found.P), f("P_eos", c.found.P_eos);
+  f("particles", c.found.particles), f("steps", c.found.steps);
+}
+template <class Result, class F>
+requires std::is_same_v<std::remove_const_t<Result>, FluidRun>
+void for_each_member(Result& r, F const& f) {
+  f("kernel", r.kernel), f("K", r.K), f("treatment", r.treatment);
+  f("scale", r.constants.scale), f("self", r.constants.self);
+  f("P", r.P), f("rho", r.rho), f("T_kin", r.T_kin), f("T_int", r.T_int);
+  f("energy", r.energy), f("energy_expected", r.energy_expected);
+  f("rho_i", r.rho_i), f("P_i", r.P_i);
+}
+template <class Result, class F>
+requires std::is_same_v<std::remove_const_t<Result>, Structure>
+void for_each_member(Result& s, F const& f) {
+  f("kernel", s.kernel), f("r", s.r), f("g", s.g), f("pairs", s.pairs);
+}
+
 namespace {
 
 constexpr double state_rho = 1150, state_T = 1000;
@@ -163,7 +191,9 @@ sdpd::SimulationSettings shocked(sdpd::SimulationSettings settings) {
 /// All work as jobs that fill their own places.
 class Study {
  public:
-  Study(md::Preset preset, std::uint64_t seed) : effort_(effort_of(preset)), seed_(seed) {
+  Study(md::Preset preset, std::uint64_t seed, std::filesystem::path directory)
+      : effort_(effort_of(preset)), seed_(seed), directory_(std::move(directory)),
+        identity_(fmt::format("preset {}, seed {}, {}", static_cast<int>(preset), seed, git_commit())) {
     result_.sizes = effort_.sizes;
     result_.P_eos = eos_state(fluid("cubic", 5, seed)).P;
     result_.particles = std::size_t{side} * side * side;
@@ -180,7 +210,9 @@ class Study {
       first.push_back([this, k] { calibrate(k); });
     for (std::size_t k = 0; k < structure_kernels.size(); ++k)
       first.push_back([this, k] {
-        result_.structures[k] = find_structure(structure_kernels[k], effort_.sizes.back(), seed_, effort_);
+        result_.structures[k] = part(fmt::format("structure-{}", k), [&] {
+          return find_structure(structure_kernels[k], effort_.sizes.back(), seed_, effort_);
+        });
       });
     for (std::size_t k = result_.runs.size(); k-- > 0;)
       second.push_back([this, k] { run_case(k); });
@@ -196,6 +228,11 @@ class Study {
  private:
   static constexpr std::array<char const*, 2> kernels{"cubic", "wendland-c2"};
   static constexpr std::array<char const*, 3> structure_kernels{"lucy", "cubic", "wendland-c2"};
+
+  template <class Make>
+  auto part(std::string const& name, Make const& make) const -> decltype(make()) {
+    return stored_or_made(directory_ / (name + ".json"), identity_, make);
+  }
 
   void carry_out(std::vector<std::function<void()>> const& jobs, int threads, Progress& progress) {
     std::vector<std::function<void()>> counted;
@@ -215,10 +252,11 @@ class Study {
 
   void calibrate(std::size_t c) {
     auto const settings = settings_of_case(c);
-    result_.calibrations[c] = {settings.kernel, settings.K,
-                               sdpd::calibrate_density(settings, sdpd::ScaleCondition::pressure,
-                                                       effort_.calibrate,
-                                                       [] { return !interrupt_requested(); })};
+    result_.calibrations[c] = part(fmt::format("calibration-{}", c), [&] {
+      auto const found = sdpd::calibrate_density(settings, sdpd::ScaleCondition::pressure, effort_.calibrate,
+                                                 [] { return !interrupt_requested(); });
+      return SizeCalibration{settings.kernel, settings.K, found};
+    });
   }
 
   void run_case(std::size_t k) {
@@ -230,7 +268,7 @@ class Study {
         treatment == Treatment::free ? sdpd::CentreOfMass::free : sdpd::CentreOfMass::bulk;
     if (treatment != Treatment::plain)
       settings.density_correction = result_.calibrations[c].found.constants;
-    result_.runs[k] = run_fluid(settings, treatment, effort_);
+    result_.runs[k] = part(fmt::format("run-{}", k), [&] { return run_fluid(settings, treatment, effort_); });
   }
 
   /// The constants of the second largest size, and of a middle one, in a shocked state and at other sizes.
@@ -245,7 +283,8 @@ class Study {
         settings.density_correction = calibration.found.constants;
         result_.elsewhere[place] = {fmt::format("{}: constants of K = {:g} at K = {:g}{}", calibration.kernel,
                                                 calibration.K, K, in_shock ? ", 1541 kg/m^3, 1340 K" : ""),
-                                    run_fluid(settings, Treatment::free, effort_)};
+                                    part(fmt::format("elsewhere-{}", place),
+                                         [&] { return run_fluid(settings, Treatment::free, effort_); })};
       });
     };
     double const middle_K = result_.sizes[sizes() / 2], large_K = result_.sizes[sizes() - 2];
@@ -258,6 +297,8 @@ class Study {
 
   Effort effort_;
   std::uint64_t seed_;
+  std::filesystem::path directory_;
+  std::string identity_; ///< of all parts
   SizeStudy result_;
   std::mutex mutex_;
   double done_ = 0;
@@ -277,8 +318,9 @@ std::string label_of(Treatment treatment) {
   return "corrected, centre-of-mass-free";
 }
 
-SizeStudy run_size_study(md::Preset preset, std::uint64_t seed, int threads, Context const& context) {
-  return Study(preset, seed).run(threads, context);
+SizeStudy run_size_study(md::Preset preset, std::uint64_t seed, int threads,
+                         std::filesystem::path const& directory, Context const& context) {
+  return Study(preset, seed, directory).run(threads, context);
 }
 
 } // namespace mesobridge::workflows
