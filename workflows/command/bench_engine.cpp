@@ -53,6 +53,8 @@ sdpd::SimulationSettings pair_fluid_settings(Options const& options, int threads
                                         .internal_energy = {}};
   if (options.method == "dpde")
     settings.pair_fluid->internal_energy = fitting::ConstantHeatCapacity(options.K);
+  if (options.kappa > 0)
+    settings.pair_fluid->conduction = sdpd::PowerFriction(options.kappa, 0, 1, 2);
   return settings;
 }
 
@@ -81,7 +83,7 @@ Result run(Options const& options, Context& context) {
                  {"scheme", options.scheme},
                  {"fluctuate_every", options.fluctuate_every},
                  {"eos", options.method == "sdpd" ? options.eos : "none"},
-                 {"kappa_W_m_K", options.kappa},
+                 {options.method == "sdpd" ? "kappa_W_m_K" : "kappa_reduced", options.kappa},
                  {"n", simulation.size()},
                  {"K", options.K},
                  {"repeats", options.repeats}};
@@ -119,7 +121,10 @@ Command bench_engine_command() {
             app.add_option("--eos", options->eos, "equation of state")
                 ->check(CLI::IsMember({"ideal-gas", "argon"}))
                 ->capture_default_str();
-            app.add_option("--kappa", options->kappa, "thermal conductivity of sdpd, W/(m K); 0: none")
+            app.add_option(
+                   "--kappa", options->kappa,
+                   "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
+                   "units; 0: none")
                 ->check(CLI::Range(0.0, 1e3))
                 ->capture_default_str();
             app.add_option("--side", options->side, "particles along an edge of the cubic box")
