@@ -31,7 +31,7 @@ struct SimulationSettings {
   double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
   double eta = 0;        ///< shear viscosity
   double zeta = 0;       ///< bulk viscosity, < 5 eta/3
-  double kappa = 0;      ///< thermal conductivity; 0: no heat conduction
+  double kappa = 0;      ///< thermal conductivity of SDPD; 0: no heat conduction
   bool noise = true;     ///< false: viscous smoothed particle hydrodynamics, which starts at rest
   double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from dt and K
   double dt = 0;         ///< time step, reduced, > 0

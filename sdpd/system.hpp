@@ -18,7 +18,7 @@ struct System {
   double self_density;                                  ///< what a particle adds to its own density
   AnyPotential potential;                               ///< DPD, DPDE
   AnyPairLaw law;                                       ///< friction and noise
-  AnyConduction conduction;                             ///< of heat, SDPD
+  AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
   Particles particles;
   double boltzmann;

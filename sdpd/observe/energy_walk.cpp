@@ -16,16 +16,28 @@ std::vector<double> squared_increments(std::span<double const> energies, std::si
   return gain;
 }
 
+double interval_of(std::span<double const> times) {
+  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+std::size_t lag_in_samples(std::span<double const> times, double lag) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(lag / interval_of(times))));
+}
+
 } // namespace
+
+bool enough_for_energy_walk(std::span<double const> times, double lag) {
+  return times.size() >= 2 && times.size() > 32 * lag_in_samples(times, lag);
+}
 
 Drift drift_from_energy_walk(std::span<double const> times, std::span<double const> energies, double lag,
                              double boltzmann, double T) {
   std::size_t const n = times.size();
   require(n >= 2 && n == energies.size(), "samples for an energy walk", n,
           "must be many, times and energies alike");
-  double const interval = (times.back() - times.front()) / static_cast<double>(n - 1);
-  auto const step = static_cast<std::size_t>(std::max(1.0, std::round(lag / interval)));
-  require(n > 32 * step, "samples for an energy walk", n,
+  double const interval = interval_of(times);
+  auto const step = lag_in_samples(times, lag);
+  require(enough_for_energy_walk(times, lag), "samples for an energy walk", n,
           fmt::format("must be more than 32 lags of {} samples", step));
   auto const once = squared_increments(energies, step), twice = squared_increments(energies, 2 * step);
   // Overlapping increments use all samples; blocks of four lags and more are nearly independent.

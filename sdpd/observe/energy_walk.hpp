@@ -16,8 +16,11 @@ namespace mesobridge::sdpd {
 /// unit of time, its standard error from the scatter of blocks. Valid where fluctuation and dissipation are
 /// (nearly) exact: not for SER. `boltzmann` and `T` in the units of the energies.
 ///
-/// Throws InputError for fewer than 16 spans of twice the lag.
+/// Throws InputError when there are not enough samples (see enough_for_energy_walk).
 Drift drift_from_energy_walk(std::span<double const> times, std::span<double const> energies, double lag,
                              double boltzmann, double T);
+
+/// Whether the samples, at equal intervals, reach over more than 32 lags, each rounded to whole samples.
+bool enough_for_energy_walk(std::span<double const> times, double lag);
 
 } // namespace mesobridge::sdpd

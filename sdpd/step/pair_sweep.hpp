@@ -62,9 +62,10 @@ class BlockSweep {
   bool finish(GroupOutcome const& outcome, unsigned bit, LocalPair pair, std::size_t k) {
     if (outcome.out_of_domain & bit)
       ++counts_.out_of_domain;
-    else if ((outcome.exact | outcome.test) & bit)
-      exact_step(pair, k);
-    else if (!((outcome.made | outcome.renew) & bit))
+    else if ((outcome.exact | outcome.test) & bit) {
+      if (!exact_step(pair, k))
+        return false;
+    } else if (!((outcome.made | outcome.renew) & bit))
       ++counts_.metropolis;
     bool const moved_far = (outcome.exact | outcome.test | outcome.renew) & bit;
     return !moved_far || (renew(pair.i) && renew(pair.j));
@@ -72,19 +73,25 @@ class BlockSweep {
   bool renew(std::size_t local) {
     return block_.has_temperature(local) || block_.renew(system_, local, failure_);
   }
-  void exact_step(LocalPair pair, std::size_t k) {
+  /// False, and a report, when a particle has no state that the step could begin with.
+  bool exact_step(LocalPair pair, std::size_t k) {
     double const uniform = sweep_.noise.uniform(block_.ids()[pair.i], block_.ids()[pair.j], inputs_.bits[k]);
     std::array particles{block_.particle(system_, pair.i), block_.particle(system_, pair.j)};
-    Exchange::exact_step(scheme,
-                         LeftPair{.system = system_,
-                                  .particles = {&particles[0], &particles[1]},
-                                  .places = {block_.index(pair.i), block_.index(pair.j)},
-                                  .inputs = inputs_,
-                                  .k = k,
-                                  .uniform = uniform},
-                         sweep_, counts_);
+    LeftPair const left{.system = system_,
+                        .particles = {&particles[0], &particles[1]},
+                        .places = {block_.index(pair.i), block_.index(pair.j)},
+                        .inputs = inputs_,
+                        .k = k,
+                        .uniform = uniform};
+    try {
+      Exchange::exact_step(scheme, left, sweep_, counts_);
+    } catch (PhysicsError const& error) {
+      failure_.report(std::min(block_.ids()[pair.i], block_.ids()[pair.j]), error.what());
+      return false;
+    }
     block_.set_particle(system_, pair.i, particles[0]);
     block_.set_particle(system_, pair.j, particles[1]);
+    return true;
   }
 
   System& system_;

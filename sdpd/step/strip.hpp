@@ -83,7 +83,7 @@ struct ConstantCapacityParticles {
 /// What became of sixteen pairs: one bit a lane.
 struct GroupOutcome {
   unsigned made;  ///< the step was made
-  unsigned exact; ///< it was not, and ExactPair has to make it: the caloric expansions do not reach so far
+  unsigned exact; ///< it was not, and ExactPair or ExactHeat has to make it: the caloric expansions do not reach so far
   unsigned renew; ///< it was, and took a particle beyond its caloric expansion or to T <= 0
   unsigned test;  ///< it was not, and the spare bits do not decide the Metropolis test
   unsigned out_of_domain;

@@ -143,7 +143,8 @@ struct Layout {
   double left, right, top, bottom;
 };
 
-/// Room to the right of the panels: for the longest label, where a legend stands there.
+/// /// Room to the right of the panels: for the longest label, where a legend stands there, but never more than
+/// half of the picture.
 double right_margin(Plot const& plot) {
   constexpr double sample_and_gaps = 64, letter = 7.4;
   double room = 24;
@@ -151,7 +152,7 @@ double right_margin(Plot const& plot) {
     if (panel.legend == Legend::outside)
       for (auto const& series : panel.series)
         room = std::max({room, 190.0, sample_and_gaps + letter * static_cast<double>(series.label.size())});
-  return room;
+  return std::min(room, 0.5 * plot.width);
 }
 
 Layout layout_of(Plot const& plot) {

@@ -32,10 +32,9 @@ struct LineResult {
         result.first.push_back(dt[k]), result.second.push_back(value(trials[k]));
     return result;
   }
-  /// The time steps of the trials that know their drift, which those know too that failed late, and the
-  /// rates.
+  /// /// The time steps and rates of the trials that know their drift, as some do that failed late.
   std::pair<std::vector<double>, std::vector<cg::Estimate>> drifts() const;
-  PowerLaw drift_law() const;
+  PowerLaw drift_law() const; ///< of those that went through
 };
 
 /// Runs all lines; trials are stored under the directory, so that an interrupted reproduction goes on.

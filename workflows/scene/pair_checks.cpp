@@ -57,10 +57,11 @@ void check_conduction(Scene const& scene, Places const& places) {
   auto refuse = [&](std::string const& key, std::string const& why) {
     throw InputError(fmt::format("{}: key '{}' {}", places.of(key), key, why));
   };
-  if (c.file && (c.kappa > 0 || c.cutoff))
-    refuse("conduction.file", "stands in place of kappa and cutoff: give one or the other");
-  if (c.cutoff && c.kappa == 0)
-    refuse("conduction.cutoff", "needs conduction.kappa > 0: without it no heat is conducted");
+  if (c.file && (c.kappa > 0 || c.cutoff || c.exponent))
+    refuse("conduction.file", "stands in place of kappa, cutoff and exponent: give one or the other");
+  if ((c.cutoff || c.exponent) && c.kappa == 0)
+    refuse(c.cutoff ? "conduction.cutoff" : "conduction.exponent",
+           "needs conduction.kappa > 0: without it no heat is conducted");
 }
 
 void check_internal_energy(Scene const& scene, Places const& places) {

@@ -68,8 +68,7 @@ struct Scene {
   } friction;
   struct Conduction { ///< dpde; the file, or the others
     double kappa = 0;
-    std::optional<double> cutoff;
-    double exponent = 2;
+    std::optional<double> cutoff, exponent;
     std::optional<std::string> file;
     bool operator==(Conduction const&) const = default;
   } conduction;

@@ -68,7 +68,7 @@ std::optional<sdpd::AnyFrictionShape> conduction_of(Scene const& scene, double f
   if (conduction.kappa == 0)
     return std::nullopt;
   return sdpd::PowerFriction(conduction.kappa, 0, conduction.cutoff.value_or(friction_cutoff),
-                             conduction.exponent);
+                             conduction.exponent.value_or(2));
 }
 
 fitting::AnyInternalEnergy internal_energy_of(Scene const& scene) {

@@ -193,7 +193,9 @@ class Study {
  public:
   Study(md::Preset preset, std::uint64_t seed, std::filesystem::path directory)
       : effort_(effort_of(preset)), seed_(seed), directory_(std::move(directory)),
-        identity_(fmt::format("preset {}, seed {}, {}", static_cast<int>(preset), seed, git_commit())) {
+        identity_(fmt::format("preset {}, seed {}, {}, {}, {}, {}, {}", static_cast<int>(preset), seed,
+                              effort_.calibrate, effort_.settle, effort_.sample, effort_.settle_per_size,
+                              git_commit())) {
     result_.sizes = effort_.sizes;
     result_.P_eos = eos_state(fluid("cubic", 5, seed)).P;
     result_.particles = std::size_t{side} * side * side;

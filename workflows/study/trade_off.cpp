@@ -120,7 +120,7 @@ bool limit_by_drift(TradeOff const& found, Configuration const& of, double wante
   double largest = 0; // rates that are not resolved: what they can be at most
   for (std::size_t k = 0; k < of.trials.size(); ++k) {
     auto const drift = of.trials[k].drift();
-    if (!of.trials[k].failed() && drift.rate + 2 * drift.se <= wanted)
+    if (!of.trials[k].failed() && of.trials[k].knows_drift() && drift.rate + 2 * drift.se <= wanted)
       largest = std::max(largest, found.plan.dt[k]);
   }
   limit.lower(largest, "the wanted energy drift");
@@ -204,7 +204,7 @@ TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions co
     for (double const step : plan.dt) {
       configuration.trials.push_back(*result++);
       auto const& trial = configuration.trials.back();
-      if (trial.failed())
+      if (trial.failed() || !trial.knows_drift())
         continue;
       dt.push_back(step);
       rates.push_back({trial.drift().rate, trial.drift().se, 8});

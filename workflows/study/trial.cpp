@@ -16,6 +16,9 @@ constexpr std::size_t stored_energies = 200;
 constexpr std::size_t least_samples = 32; ///< that energy_drift takes
 constexpr double most_heating = 0.02;     ///< in the set temperature, for what a drift is measured from
 constexpr double walk_lag = 3; ///< reduced time: the bounded part of the energy error has forgotten itself
+/// For a drift from a part of the samples: its error comes from eight segments, which must not remember each
+/// other.
+constexpr double least_time = 8 * 2 * walk_lag;
 
 /// A trial on its way.
 class TrialRun {
@@ -90,7 +93,7 @@ class TrialRun {
 
   TrialResult failed(std::string failure) const {
     TrialResult found{.failure = std::move(failure), .dt = settings_.dt};
-    if (samples_for_drift() >= least_samples)
+    if (!sampler_.energies().empty())
       add_energies(found);
     return found;
   }
@@ -127,15 +130,10 @@ class TrialRun {
   /// Adds what the energies in time say.
   void add_energies(TrialResult& found) const {
     double const E_0 = sampler_.energies()[0];
-    std::size_t const samples = std::max(samples_for_drift(), least_samples);
-    auto const times = sampler_.times().first(samples), energies = sampler_.energies().first(samples);
     found.settled = static_cast<double>(trial_.scene.run.equilibrate) * settings_.dt;
     found.E_0 = E_0, found.heat_capacity = heat_capacity_;
-    if (trial_.scene.has_energies()) { // DPD's thermostat keeps no energy that could drift
-      auto const drift = sdpd::energy_drift(times, energies);
-      found.drift_of_mean = {E_0 < 0 ? -drift.rate : drift.rate, drift.se};
-    }
-    found.drift_of_walk = walk(times, energies);
+    if (trial_.scene.has_energies()) // DPD's thermostat keeps no energy that could drift
+      add_drift(found);
     std::size_t const every = std::max<std::size_t>(1, sampler_.times().size() / stored_energies);
     for (std::size_t k = 0; k < sampler_.times().size(); k += every) {
       found.times.push_back(sampler_.times()[k]);
@@ -143,17 +141,24 @@ class TrialRun {
     }
   }
 
-  std::size_t samples_for_drift() const {
-    return sampler_.energies().empty()
-               ? 0
-               : sdpd::samples_before_heating(sampler_.energies(),
-                                              most_heating * heat_capacity_ / settings_.K);
+  void add_drift(TrialResult& found) const {
+    std::size_t const samples =
+        sdpd::samples_before_heating(sampler_.energies(), most_heating * heat_capacity_ / settings_.K);
+    auto const times = sampler_.times().first(samples), energies = sampler_.energies().first(samples);
+    bool const cut = found.failed() || samples < sampler_.times().size();
+    found.drift_unknown = samples < least_samples || (cut && times.back() < least_time);
+    if (found.drift_unknown)
+      return;
+    auto const drift = sdpd::energy_drift(times, energies);
+    found.drift_of_mean = {energies[0] < 0 ? -drift.rate : drift.rate, drift.se};
+    found.drift_of_walk = walk(times, energies);
   }
 
   sdpd::Drift walk(std::span<double const> times, std::span<double const> energies) const {
     bool const conserved = !trial_.scene.has_energies() || settings_.scheme.keep_energy ||
                            settings_.scheme.conservative == sdpd::Conservative::none;
-    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser || times.back() < 34 * walk_lag)
+    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser ||
+        !sdpd::enough_for_energy_walk(times, walk_lag))
       return {};
     return sdpd::drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K, 1);
   }

@@ -21,18 +21,19 @@ struct Trial {
   EnergyBins bins;
 };
 
-/// What a trial has found, in reduced units. A run that failed says how and has nothing else but, when it did
-/// so after enough samples, the drift that led there.
+/// /// What a trial has found, in reduced units. A run that failed says how and has nothing else but its
+/// energies until then and, when there were enough of them, the drift that led there.
 struct TrialResult {
   std::string failure; ///< empty: it went through
   double dt = 0;
   double settled = 0; ///< reduced time before the first sample
   cg::Estimate T_kin, T_int, P;
   cg::Estimate eps_mean, eps_variance; ///< over the particles, in k_B T and its square
-  /// Slope of (E - E_0)/|E_0|, while the energy that was gained makes the fluid hotter by 2 % at most: the
-  /// rate rises steeply with the temperature.
+  /// /// Slope of (E - E_0)/|E_0|, while the energy that was gained or lost changes the temperature by 2 % at
+  /// most: the rate rises steeply with the temperature.
   sdpd::Drift drift_of_mean;
-  sdpd::Drift drift_of_walk; ///< the same from the walk of the energy (se = 0: not applicable)
+  sdpd::Drift drift_of_walk;  ///< the same from the walk of the energy (se = 0: not applicable)
+  bool drift_unknown = false; ///< the temperature changed too soon
   double rejected_out_of_domain = 0, rejected_metropolis = 0; ///< shares of all pairs' steps
   double us_per_particle_step = 0;                            ///< processor time
   EnergyBins bins;
@@ -41,7 +42,7 @@ struct TrialResult {
   std::vector<double> times, energies;         ///< thinned; energies as (E - E_0)/|E_0|
 
   bool failed() const { return !failure.empty(); }
-  bool knows_drift() const { return drift().se > 0; }
+  bool knows_drift() const { return !drift_unknown && (!failed() || drift_of_mean.se > 0); }
   /// The better known of the two; that of the mean where they disagree by more than four standard errors.
   sdpd::Drift drift() const;
   std::vector<double> histogram() const;

@@ -45,7 +45,7 @@ System uneven(SimulationSettings const& settings) {
 }
 
 // Single precision of the heat and cubic expansions of the temperatures against double precision and exact
-// inversions, with the same noise: 1e-4 of what is moved.
+// inversions, with the same noise: 1e-3 of what is moved.
 TEST_P(ConductionInLanes, IsThatOfOnePairAfterTheOther) {
   int compared = 0;
   for (auto const scheme : {PairScheme::ssa, PairScheme::ams, PairScheme::ems}) {
@@ -77,11 +77,16 @@ TEST_P(ConductionInLanes, IsThatOfOnePairAfterTheOther) {
 TEST_P(ConductionInLanes, MovesNothingButHeatAndKeepsItsSum) {
   auto system = uneven(GetParam().settings);
   auto const p = system.particles.p;
+  auto const eps = system.particles.eps;
   double const before = total_energy(system);
   conduct(system, PairScheme::ems, GetParam().dt);
   EXPECT_NEAR(total_energy(system) / before, 1, 1e-14);
-  for (std::size_t i = 0; i < p.size(); ++i)
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
     ASSERT_EQ(norm(system.particles.p[i] - p[i]), 0);
+    changed += system.particles.eps[i] != eps[i];
+  }
+  EXPECT_GT(changed, p.size() * 9 / 10);
 }
 
 } // namespace

@@ -43,5 +43,19 @@ TEST(EnergyWalk, RefusesShortSeries) {
   EXPECT_THROW(drift_from_energy_walk(walk.times, walk.energies, 4, 1, 1), InputError);
 }
 
+// 3/0.4 rounds up to a lag of 8 samples: 256 samples are 102 units of time, which is 34 lags of 3, but not more
+// than 32 of 8 samples.
+TEST(EnergyWalk, SaysHowManySamplesItNeeds) {
+  std::vector<double> times, energies;
+  for (int k = 0; k < 257; ++k)
+    times.push_back(0.4 * k), energies.push_back(1 + 1e-6 * (k % 7));
+  EXPECT_TRUE(enough_for_energy_walk(times, 3));
+  EXPECT_NO_THROW(drift_from_energy_walk(times, energies, 3, 1, 1));
+  times.pop_back(), energies.pop_back();
+  EXPECT_FALSE(enough_for_energy_walk(times, 3));
+  EXPECT_THROW(drift_from_energy_walk(times, energies, 3, 1, 1), InputError);
+  EXPECT_FALSE(enough_for_energy_walk(std::span(times).first(1), 3));
+}
+
 } // namespace
 } // namespace mesobridge::sdpd

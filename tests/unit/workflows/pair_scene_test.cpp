@@ -119,6 +119,7 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
       {"name = \"dpde\"", "name = \"dpd\"", {"internal_energy.heat_capacity", "dpde"}},
       {"[scheme]", "[conduction]\nkappa = -1\n[scheme]", {"conduction.kappa", "-1"}},
       {"[scheme]", "[conduction]\ncutoff = 1\n[scheme]", {"conduction.cutoff", "conduction.kappa"}},
+      {"[scheme]", "[conduction]\nexponent = 3\n[scheme]", {"conduction.exponent", "conduction.kappa"}},
       {"[scheme]", "[conduction]\nfile = \"none.csv\"\n[scheme]", {"conduction.file", "none.csv"}},
       {"[scheme]", "[conduction]\nkapa = 1\n[scheme]", {"kapa", "kappa"}},
   };
@@ -129,7 +130,7 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
       EXPECT_NE(message.find(part), std::string::npos) << "looked for " << part << " in: " << message;
     ++ran;
   }
-  EXPECT_EQ(ran, 16);
+  EXPECT_EQ(ran, 17);
   auto dpd = replaced(replaced(dpde, "name = \"dpde\"", "name = \"dpd\""),
                       "[internal_energy]\nheat_capacity = 60\n", "");
   EXPECT_EQ(error_of(dpd), "no error");
@@ -156,12 +157,30 @@ TEST(PairScene, ReadsConductionInBothUnitSystems) {
   EXPECT_DOUBLE_EQ(conduction_weight(as_friction, 0.75), 5);
   EXPECT_FALSE(settings_of(parse_scene(dpde, "dpde.toml"), 1).conducts());
 
-  auto si = parse_scene(dpde, "dpde.toml");
-  si.units = UnitSystem::SI;
-  si.fluid = {.eos = {}, .rho = 3000, .T = 300, .m0 = {}};
-  si.particles.mass = 1e-24, si.friction.gamma_par = 1e-13, si.friction.cutoff = 1e-9;
-  si.potential.name = "none";
-  si.conduction.kappa = 20 * 4.141947e-21 * 300 / (1e-9 * std::sqrt(1e-24 / 4.141947e-21));
+  double const kappa = 20 * 4.141947e-21 * 300 / (1e-9 * std::sqrt(1e-24 / 4.141947e-21));
+  auto const si = parse_scene(fmt::format(R"(title = "DPDE"
+[method]
+name = "dpde"
+[fluid]
+rho = "3000 kg/m^3"
+T = "300 K"
+[particles]
+N = 1000
+mass = "1e-24 kg"
+[friction]
+gamma_par = "1e-13 kg/s"
+cutoff = "1 nm"
+[internal_energy]
+heat_capacity = 60
+[conduction]
+kappa = "{} W*K"
+[scheme]
+dt = "0.1 ps"
+[run]
+steps = 100
+)",
+                                          kappa),
+                              "si.toml");
   EXPECT_NEAR(conduction_weight(si, 0.5), 5, 1e-5);
 }
 

@@ -91,7 +91,7 @@ std::vector<SceneKey> pair_fluid_keys() {
           .of({"dpde"}),
       Line(
           "conduction", "exponent", [](Scene& s) { return &s.conduction.exponent; },
-          "of the weight; 2 is customary")
+          "of the weight; if not given, 2, which is customary")
           .in({.min = 0, .open = true, .max = 20})
           .of({"dpde"}),
       Line(
