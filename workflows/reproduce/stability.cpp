@@ -27,6 +27,10 @@ void add(std::vector<StabilityCase>& cases, std::string group, Scene scene, doub
   std::string name = fmt::format("{}, {}, K = {:g}, {:g} kg/m³, {:g} K, η = {:g} Pa s, dt = {:g}",
                                  scene.fluid.eos, scene.scheme.name, scene.particles.K, scene.fluid.rho,
                                  scene.fluid.T, scene.transport.eta, dt);
+  if (scene.scheme.conservative == "two-stage")
+    name += ", two-stage";
+  if (scene.scheme.energy == "kept")
+    name += ", energy kept";
   cases.push_back({std::move(group), std::move(name), std::move(scene), std::move(expected)});
 }
 
@@ -52,6 +56,13 @@ void add_schemes(std::vector<StabilityCase>& cases) {
   for (std::string const scheme : {"ems", "ams"})
     for (double const dt : {0.1, 0.3, 0.4, 0.8})
       moving(scheme, 5, dt, dt < 0.35 ? "runs" : "");
+  // Verlet itself ends near 0.5; two evaluations of the forces a step reach the 0.8 that the thesis names.
+  for (std::string const scheme : {"ems", "ams"})
+    for (double const K : {2.0, 5.0}) {
+      Scene scene = fluid("ideal-gas", 1150, 1000, K, 2e-3, scheme);
+      scene.scheme.conservative = "two-stage", scene.scheme.energy = "kept";
+      add(cases, whole, scene, 0.8, "runs");
+    }
   moving("ems", 2, 0.1, "runs"), moving("ams", 2, 0.1, "runs");
   moving("ssa", 10, 0.3, "runs");
   moving("ser", 10, 0.01, "runs"), moving("ser", 10, 0.035, ""), moving("ser", 10, 0.2, "fails");
