@@ -48,8 +48,9 @@ void check_friction(Scene const& scene, Places const& places) {
   if (!plain && !f.file)
     refuse(f.gamma_par ? "friction.cutoff" : "friction.gamma_par",
            "is missing (or give a table with friction.file)");
-  if (f.file && (f.gamma_par || f.cutoff || f.gamma_perp > 0))
-    refuse("friction.file", "stands in place of gamma_par, gamma_perp and cutoff: give one or the other");
+  if (f.file && (f.gamma_par || f.cutoff || f.exponent || f.gamma_perp > 0))
+    refuse("friction.file",
+           "stands in place of gamma_par, gamma_perp, cutoff and exponent: give one or the other");
 }
 
 void check_conduction(Scene const& scene, Places const& places) {

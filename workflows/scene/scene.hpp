@@ -61,8 +61,7 @@ struct Scene {
   struct Friction { ///< dpd, dpde
     std::optional<double> gamma_par;
     double gamma_perp = 0;
-    std::optional<double> cutoff;
-    double exponent = 2;
+    std::optional<double> cutoff, exponent;
     std::optional<std::string> file;
     bool operator==(Friction const&) const = default;
   } friction;

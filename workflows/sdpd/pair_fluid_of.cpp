@@ -48,7 +48,8 @@ sdpd::AnyPotential potential_of(Scene const& scene) {
 sdpd::AnyFrictionShape friction_of(Scene const& scene) {
   auto const& friction = scene.friction;
   if (!friction.file)
-    return sdpd::PowerFriction(*friction.gamma_par, friction.gamma_perp, *friction.cutoff, friction.exponent);
+    return sdpd::PowerFriction(*friction.gamma_par, friction.gamma_perp, *friction.cutoff,
+                               friction.exponent.value_or(2));
   std::string const r = is_si(scene) ? "r_m" : "r", par = is_si(scene) ? "gamma_par_kg_s" : "gamma_par",
                     perp = is_si(scene) ? "gamma_perp_kg_s" : "gamma_perp";
   auto columns = read_columns(*friction.file, {r, par}, {perp});

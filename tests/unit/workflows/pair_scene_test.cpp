@@ -202,6 +202,12 @@ TEST(PairScene, TakesTablesAndModelsFromFiles) {
   auto const scene = parse_scene(text, scratch / "scene.toml");
   EXPECT_NEAR(conduction_weight(scene, 0.5), 2, 1e-3);
   try {
+    parse_scene(replaced(text, "[friction]", "[friction]\nexponent = 3"), scratch / "scene.toml");
+    FAIL();
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("friction.file"), std::string::npos) << error.what();
+  }
+  try {
     parse_scene(text + "kappa = 1\n", scratch / "scene.toml");
     FAIL();
   } catch (InputError const& error) {

@@ -60,7 +60,7 @@ std::vector<SceneKey> pair_fluid_keys() {
           .of(pair_methods),
       Line(
           "friction", "exponent", [](Scene& s) { return &s.friction.exponent; },
-          "of the weight; 2 is customary")
+          "of the weight; if not given, 2, which is customary")
           .in({.min = 0, .open = true, .max = 20})
           .of(pair_methods),
       Line(
