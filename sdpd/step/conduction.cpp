@@ -14,7 +14,7 @@ struct Conduction {
   template <class Law>
   static void exact_step(PairScheme scheme, LeftPair const& pair, Sweep<Law> const& sweep,
                          PairCounts& counts) {
-    ExactHeat<Law>(pair.system, pair.particles, pair.places)
+    ExactHeat<Law>(pair.states)
         .step(scheme, pair.inputs.weight[pair.k], {.G = pair.inputs.G_x[pair.k], .uniform = pair.uniform},
               sweep, counts);
   }

@@ -21,8 +21,8 @@ namespace mesobridge::sdpd {
 ///
 ///     a = sum_k [(S_k' - S_k)/k_B - ln T_k' + ln T_k] + G^2/2 - (delta + mean')^2/2s'^2 + ln(s/s'),
 ///
-/// for DPDE without ln T. In lanes a is right to about 1e-7 (mean/s)^2, so far from equilibrium for particles
-/// of up to about 1e6 k_B.
+/// for DPDE without ln T. In lanes the two squares cancel in single precision: from there errors of a grow
+/// with (mean/s)^2, which is large for particles of many k_B far from equilibrium alone.
 ///
 /// Needs caloric expansions that begin at the energies (thermodynamics_from_energy), and leaves T behind
 /// them. `second` draws other random numbers: for the second sweep of a step.

@@ -20,7 +20,7 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     double const sign = low == block.ids()[pair.i] ? 1 : -1;
     ++counts.proposed;
     try {
-      ExactHeat<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j})
+      ExactHeat<Law>(PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}))
           .step(scheme, weight, {.G = sign * G[0], .uniform = sweep.noise.uniform(low, high, bits)}, sweep,
                 counts);
     } catch (PhysicsError const& error) {
@@ -34,6 +34,8 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
 } // namespace
 
 void conduct_plain(System& system, PairScheme scheme, double dt, bool second) {
+  if (scheme != PairScheme::ssa && scheme != PairScheme::ams && scheme != PairScheme::ems)
+    throw std::logic_error("this scheme does not go pair after pair");
   std::visit(
       [&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, std::monostate>) {

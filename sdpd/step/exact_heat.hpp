@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/step/pair_states.hpp"
 #include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
@@ -13,8 +14,7 @@ class ExactHeat {
     double uniform; ///< in [0, 1)
   };
 
-  /// Two particles and their places in memory. Throws PhysicsError when one has left the equation of state.
-  ExactHeat(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places);
+  explicit ExactHeat(PairStates const& pair) : pair_(pair) {}
 
   /// Makes the step, or not; counts what was not. Throws PhysicsError for SSA when the step leaves the
   /// equation of state. The caloric expansions are left as they are, though they may be out of reach.
@@ -22,16 +22,10 @@ class ExactHeat {
             PairCounts& counts);
 
  private:
-  using States = std::array<ThermalState, 2>;
-
-  ThermalState state(std::size_t k, double heat) const;
   double log_acceptance(double weight, double G, double heat, Sweep<Law> const& sweep,
-                        States const& proposed) const;
+                        PairStates::States const& proposed) const;
 
-  System const& system_;
-  std::array<FluctuatingParticle*, 2> particles_;
-  std::array<Index, 2> index_;
-  States at_;
+  PairStates pair_;
 };
 
 } // namespace mesobridge::sdpd

@@ -5,7 +5,7 @@ namespace {
 
 template <class Law>
 Bath<double>::Directions step_of(Sweep<Law> const& sweep, PairWeights<double> const& weight,
-                                 std::array<ThermalState, 2> const& at) {
+                                 PairStates::States const& at) {
   auto const& law = sweep.law;
   auto const [a_par, a_perp] = law.coefficients(weight);
   return law.template bath<double>({at[0].T, at[1].T, at[0].inverse_C, at[1].inverse_C})
@@ -15,32 +15,18 @@ Bath<double>::Directions step_of(Sweep<Law> const& sweep, PairWeights<double> co
 } // namespace
 
 template <class Law>
-ExactPair<Law>::ExactPair(System const& system, std::array<FluctuatingParticle*, 2> particles,
-                          std::array<Index, 2> places)
-    : system_(system), particles_(particles), index_(places) {
-  at_ = {state(0, 0), state(1, 0)};
-}
-
-template <class Law>
-ThermalState ExactPair<Law>::state(std::size_t k, double heat) const {
-  auto const& of = system_.particles;
-  Index const i = index_[k];
-  return system_.thermodynamics->state(of, i, of.eps[i] + particles_[k]->u + heat);
-}
-
-template <class Law>
 void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise const& noise,
                           Sweep<Law> const& sweep, PairCounts& counts) {
-  auto const [par, perp] = step_of(sweep, geometry.weight, at_);
-  auto& [a, b] = particles_;
+  auto const [par, perp] = step_of(sweep, geometry.weight, pair_.now());
+  auto &a = pair_[0], &b = pair_[1];
   Vec3 const& e = geometry.e;
-  Vec3 const v = a->p - b->p;
+  Vec3 const v = a.p - b.p;
   Vec3 const dv = perp.decay * v + perp.kick() * noise.G +
                   ((par.decay - perp.decay) * dot(e, v) + (par.kick() - perp.kick()) * dot(e, noise.G)) * e;
   double const heat = -0.125 * dot(dv, 2 * v + dv);
-  std::array<ThermalState, 2> proposed;
+  PairStates::States proposed;
   try {
-    proposed = {state(0, heat), state(1, heat)};
+    proposed = pair_.with(heat, heat);
   } catch (PhysicsError const&) {
     if (scheme == PairScheme::ssa)
       throw;
@@ -52,8 +38,8 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
     ++counts.metropolis;
     return;
   }
-  a->p += 0.5 * dv, b->p -= 0.5 * dv;
-  a->u += heat, b->u += heat;
+  a.p += 0.5 * dv, b.p -= 0.5 * dv;
+  a.u += heat, b.u += heat;
 }
 
 /// The exponent a of theory sheet, section 3, EMS: the ratio of the densities of the step back and forth
@@ -61,8 +47,9 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
 template <class Law>
 double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep,
                                       Vec3 const& v, Vec3 const& dv,
-                                      std::array<ThermalState, 2> const& proposed) const {
-  auto const there = step_of(sweep, geometry.weight, at_), back = step_of(sweep, geometry.weight, proposed);
+                                      PairStates::States const& proposed) const {
+  auto const there = step_of(sweep, geometry.weight, pair_.now()),
+             back = step_of(sweep, geometry.weight, proposed);
   // What the noise of the step back would have to be, times B': v - A'v' without cancellation.
   Vec3 const moved = v + dv;
   Vec3 const rest = -(dv + back.perp.decay * moved);
@@ -83,12 +70,7 @@ double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noi
                   norm2(rest - dot(geometry.e, rest) * geometry.e) / back.perp.variance) +
            std::log(there.perp.variance / back.perp.variance);
   }
-  for (std::size_t k = 0; k < 2; ++k) {
-    a += (proposed[k].S - at_[k].S) / system_.boltzmann;
-    if constexpr (Law::measure_over_T)
-      a -= std::log(proposed[k].T / at_[k].T);
-  }
-  return a;
+  return a + log_measure_change<Law>(pair_.now(), proposed, boltzmann_);
 }
 
 template class ExactPair<SdpdLaw>;

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/step/pair_states.hpp"
 #include "sdpd/step/sweep.hpp"
 
 namespace mesobridge::sdpd {
@@ -17,8 +18,8 @@ class ExactPair {
     double uniform; ///< in [0, 1)
   };
 
-  /// Two particles and their places in memory. Throws PhysicsError when one has left the equation of state.
-  ExactPair(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places);
+  /// `boltzmann` is that of the invariant measure.
+  ExactPair(PairStates const& pair, double boltzmann) : pair_(pair), boltzmann_(boltzmann) {}
 
   /// Makes the step, or not; counts what was not. Throws PhysicsError for SSA when the step leaves the
   /// equation of state. The caloric expansions are left as they are, though they may be out of reach.
@@ -27,13 +28,10 @@ class ExactPair {
 
  private:
   double log_acceptance(Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep, Vec3 const& v,
-                        Vec3 const& dv, std::array<ThermalState, 2> const& proposed) const;
-  ThermalState state(std::size_t k, double heat) const;
+                        Vec3 const& dv, PairStates::States const& proposed) const;
 
-  System const& system_;
-  std::array<FluctuatingParticle*, 2> particles_;
-  std::array<Index, 2> index_;
-  std::array<ThermalState, 2> at_;
+  PairStates pair_;
+  double boltzmann_;
 };
 
 } // namespace mesobridge::sdpd

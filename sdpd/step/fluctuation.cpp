@@ -24,7 +24,7 @@ struct Friction {
     double perp = Law::across == Across::none ? 0 : par;
     if constexpr (Law::across == Across::own)
       perp = inputs.weight_across[k];
-    ExactPair<Law>(pair.system, pair.particles, pair.places)
+    ExactPair<Law>(pair.states, pair.boltzmann)
         .step(scheme, {.e = e, .weight = {par, perp}},
               {.G = noise<Law>(inputs, k, e), .uniform = pair.uniform}, sweep, counts);
   }

@@ -41,7 +41,8 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     } else {
       try {
         double const uniform = sweep.noise.uniform(low, high, bits);
-        ExactPair<Law>(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j})
+        ExactPair<Law>(PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}),
+                       system.boltzmann)
             .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
       } catch (PhysicsError const& error) {
         failure.report(low, error.what());

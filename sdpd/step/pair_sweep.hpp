@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/step/pair_states.hpp"
 #include "sdpd/step/strip.hpp"
 
 /// Pair after pair in the order of the lists: the sweep of fluctuation and dissipation, and that of heat
@@ -9,12 +10,11 @@ namespace mesobridge::sdpd {
 
 /// A pair that the lanes leave over.
 struct LeftPair {
-  System const& system;
-  std::array<FluctuatingParticle*, 2> particles;
-  std::array<Index, 2> places;
+  PairStates states;
   PairInputs const& inputs;
-  std::size_t k;  ///< its number among the inputs
-  double uniform; ///< for the Metropolis test
+  std::size_t k;    ///< its number among the inputs
+  double uniform;   ///< for the Metropolis test
+  double boltzmann; ///< of the invariant measure
 };
 
 [[gnu::always_inline]] inline ExpandedParticles in_lanes(FluctuatingBlock& block) {
@@ -77,14 +77,13 @@ class BlockSweep {
   bool exact_step(LocalPair pair, std::size_t k) {
     double const uniform = sweep_.noise.uniform(block_.ids()[pair.i], block_.ids()[pair.j], inputs_.bits[k]);
     std::array particles{block_.particle(system_, pair.i), block_.particle(system_, pair.j)};
-    LeftPair const left{.system = system_,
-                        .particles = {&particles[0], &particles[1]},
-                        .places = {block_.index(pair.i), block_.index(pair.j)},
-                        .inputs = inputs_,
-                        .k = k,
-                        .uniform = uniform};
     try {
-      Exchange::exact_step(scheme, left, sweep_, counts_);
+      PairStates const states(system_, {&particles[0], &particles[1]},
+                              {block_.index(pair.i), block_.index(pair.j)});
+      Exchange::exact_step(
+          scheme,
+          {.states = states, .inputs = inputs_, .k = k, .uniform = uniform, .boltzmann = system_.boltzmann},
+          sweep_, counts_);
     } catch (PhysicsError const& error) {
       failure_.report(std::min(block_.ids()[pair.i], block_.ids()[pair.j]), error.what());
       return false;

@@ -182,7 +182,7 @@ Plot drift_against_time_step(std::vector<DriftLaw> const& laws) {
             .panels = {Panel{}}};
   auto& panel = plot.panels[0];
   panel.y = {.label = "drift rate of E/E_0 [1 / reduced time]", .logarithmic = true};
-  panel.legend = Legend::bottom_right;
+  panel.legend = Legend::outside;
   int colour = 0;
   for (auto const& law : laws) {
     double const printed = law.K == 10 ? 9.50 : law.K == 50 ? 181 : 217;

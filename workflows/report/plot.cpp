@@ -143,7 +143,7 @@ struct Layout {
   double left, right, top, bottom;
 };
 
-/// /// Room to the right of the panels: for the longest label, where a legend stands there, but never more than
+/// Room to the right of the panels: for the longest label, where a legend stands there, but never more than
 /// half of the picture.
 double right_margin(Plot const& plot) {
   constexpr double sample_and_gaps = 64, letter = 7.4;

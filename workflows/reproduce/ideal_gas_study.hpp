@@ -32,7 +32,7 @@ struct LineResult {
         result.first.push_back(dt[k]), result.second.push_back(value(trials[k]));
     return result;
   }
-  /// /// The time steps and rates of the trials that know their drift, as some do that failed late.
+  /// The time steps and rates of the trials that know their drift, as some do that failed late.
   std::pair<std::vector<double>, std::vector<cg::Estimate>> drifts() const;
   PowerLaw drift_law() const; ///< of those that went through
 };

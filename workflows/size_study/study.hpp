@@ -59,8 +59,8 @@ struct SizeStudy {
 };
 
 /// Argon at 1000 K and 1150 kg/m^3 (thesis, section 5.1.2) by SDPD at sizes K = 5 ... 25000 with two kernels
-/// in three treatments. Each run takes one thread; results do not depend on how many there are. Finished parts
-/// are stored in the directory, which exists, and read back instead of being made again.
+/// in three treatments. Each run takes one thread; results do not depend on how many there are. Finished
+/// parts are stored in the directory, which exists, and read back instead of being made again.
 SizeStudy run_size_study(md::Preset preset, std::uint64_t seed, int threads,
                          std::filesystem::path const& directory, Context const& context);
 

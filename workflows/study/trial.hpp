@@ -21,7 +21,7 @@ struct Trial {
   EnergyBins bins;
 };
 
-/// /// What a trial has found, in reduced units. A run that failed says how and has nothing else but its
+/// What a trial has found, in reduced units. A run that failed says how and has nothing else but its
 /// energies until then and, when there were enough of them, the drift that led there.
 struct TrialResult {
   std::string failure; ///< empty: it went through
@@ -29,7 +29,7 @@ struct TrialResult {
   double settled = 0; ///< reduced time before the first sample
   cg::Estimate T_kin, T_int, P;
   cg::Estimate eps_mean, eps_variance; ///< over the particles, in k_B T and its square
-  /// /// Slope of (E - E_0)/|E_0|, while the energy that was gained or lost changes the temperature by 2 % at
+  /// Slope of (E - E_0)/|E_0|, while the energy that was gained or lost changes the temperature by 2 % at
   /// most: the rate rises steeply with the temperature.
   sdpd::Drift drift_of_mean;
   sdpd::Drift drift_of_walk;  ///< the same from the walk of the energy (se = 0: not applicable)

@@ -5,11 +5,13 @@
 namespace mesobridge::workflows {
 
 template <class Result, class F>
+requires std::is_same_v<std::remove_const_t<Result>, TrialResult>
 void for_each_member(Result& r, F const& f) {
   f("failure", r.failure), f("dt", r.dt), f("settled", r.settled);
   f("T_kin", r.T_kin), f("T_int", r.T_int), f("P", r.P);
   f("eps_mean", r.eps_mean), f("eps_variance", r.eps_variance);
-  f("drift_unknown", r.drift_unknown), f("drift_of_mean", r.drift_of_mean), f("drift_of_walk", r.drift_of_walk);
+  f("drift_unknown", r.drift_unknown), f("drift_of_mean", r.drift_of_mean),
+      f("drift_of_walk", r.drift_of_walk);
   f("rejected_out_of_domain", r.rejected_out_of_domain), f("rejected_metropolis", r.rejected_metropolis);
   f("us_per_particle_step", r.us_per_particle_step), f("E_0", r.E_0), f("heat_capacity", r.heat_capacity);
   f("bins_lower", r.bins.lower), f("bins_upper", r.bins.upper), f("bins_count", r.bins.count);

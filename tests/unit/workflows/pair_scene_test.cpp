@@ -54,9 +54,8 @@ TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
   EXPECT_NO_THROW(sdpd::check(settings));
 }
 
-// The same fluid in SI: kT, m and r_c of some substance; all reduced quantities are those of the plain scene.
-TEST(PairScene, InSiIsTheSameFluid) {
-  std::string const si = R"(title = "DPDE"
+/// The same fluid in SI: k_B T, m and r_c of some substance.
+std::string const si = R"(title = "DPDE"
 [method]
 name = "dpde"
 [fluid]
@@ -79,6 +78,9 @@ dt = "0.1 ps"
 [run]
 steps = 100
 )";
+
+// All reduced quantities are those of the plain scene.
+TEST(PairScene, InSiIsTheSameFluid) {
   auto const plain = settings_of(parse_scene(dpde, "dpde.toml"), 1),
              physical = settings_of(parse_scene(si, "si.toml"), 1);
   auto const units = physical.units();
@@ -158,30 +160,8 @@ TEST(PairScene, ReadsConductionInBothUnitSystems) {
   EXPECT_FALSE(settings_of(parse_scene(dpde, "dpde.toml"), 1).conducts());
 
   double const kappa = 20 * 4.141947e-21 * 300 / (1e-9 * std::sqrt(1e-24 / 4.141947e-21));
-  auto const si = parse_scene(fmt::format(R"(title = "DPDE"
-[method]
-name = "dpde"
-[fluid]
-rho = "3000 kg/m^3"
-T = "300 K"
-[particles]
-N = 1000
-mass = "1e-24 kg"
-[friction]
-gamma_par = "1e-13 kg/s"
-cutoff = "1 nm"
-[internal_energy]
-heat_capacity = 60
-[conduction]
-kappa = "{} W*K"
-[scheme]
-dt = "0.1 ps"
-[run]
-steps = 100
-)",
-                                          kappa),
-                              "si.toml");
-  EXPECT_NEAR(conduction_weight(si, 0.5), 5, 1e-5);
+  auto const physical = parse_scene(si + fmt::format("[conduction]\nkappa = \"{} W*K\"\n", kappa), "si.toml");
+  EXPECT_NEAR(conduction_weight(physical, 0.5), 5, 1e-5);
 }
 
 TEST(PairScene, TakesTablesAndModelsFromFiles) {

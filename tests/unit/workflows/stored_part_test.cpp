@@ -1,4 +1,5 @@
 #include "unit/workflows/scratch_directory.hpp"
+#include "workflows/size_study/parts.hpp"
 #include "workflows/study/stored_part.hpp"
 #include <cstring>
 #include <gtest/gtest.h>
@@ -49,6 +50,43 @@ TEST(StoredPart, ReadsBackToTheSameBits) {
                          back->drift.rate, back->drift.se},
                         {part.value, part.estimate.mean, part.estimate.se, part.estimate.n_eff,
                          part.drift.rate, part.drift.se}));
+}
+
+/// Writes, reads and writes a part again: the two files must be the same.
+template <class Part>
+void expect_same_again(Part const& part) {
+  tests::ScratchDirectory const scratch;
+  write_part(scratch / "a.json", "this", part);
+  auto const back = read_part<Part>(scratch / "a.json", "this");
+  ASSERT_TRUE(back);
+  write_part(scratch / "b.json", "this", *back);
+  EXPECT_EQ(read_text_file(scratch / "a.json"), read_text_file(scratch / "b.json"));
+}
+
+// Structures without names for what they have: a member more, and this does not compile.
+TEST(StoredPart, OfTheSizeStudyHasAllMembers) {
+  FluidRun const run{"cubic", 5,  Treatment::free, {1.1, 0.2}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12},
+                     13,      14, {15, 16},        {17, 18}};
+  expect_same_again(run);
+  tests::ScratchDirectory const scratch;
+  write_part(scratch / "run.json", "this", run);
+  auto const [kernel, K, treatment, constants, P, rho, T_kin, T_int, energy, expected, rho_i, P_i] =
+      *read_part<FluidRun>(scratch / "run.json", "this");
+  EXPECT_EQ(kernel, "cubic");
+  EXPECT_EQ(treatment, Treatment::free);
+  EXPECT_EQ((std::vector{K, constants.scale, constants.self, P.mean, rho.se, T_kin.n_eff, T_int.mean, energy,
+                         expected, rho_i[1], P_i[1]}),
+            (std::vector<double>{5, 1.1, 0.2, 1, 5, 9, 10, 13, 14, 16, 18}));
+  SizeCalibration const calibration{"lucy", 10, {{1.1, 0.2}, 1, 2, {3, 4, 5}, {6, 7, 8}, 9, 10, 11}};
+  expect_same_again(calibration);
+  write_part(scratch / "calibration.json", "this", calibration);
+  auto const [name, size, found] = *read_part<SizeCalibration>(scratch / "calibration.json", "this");
+  auto const [c, scale_se, self_se, density, pressure, P_eos, particles, steps] = found;
+  EXPECT_EQ((std::vector{size, c.scale, c.self, scale_se, self_se, density.mean, pressure.se, P_eos}),
+            (std::vector<double>{10, 1.1, 0.2, 1, 2, 3, 7, 9}));
+  EXPECT_EQ(particles, 10u);
+  EXPECT_EQ(steps, 11u);
+  expect_same_again(Structure{"cubic", {1, 2}, {3, 4}, 0.5});
 }
 
 TEST(StoredPart, IsMadeOnceAndAgainWhenItIsOfSomethingElseOrDamaged) {
