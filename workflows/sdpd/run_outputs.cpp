@@ -1,0 +1,66 @@
+#include "workflows/sdpd/run_outputs.hpp"
+#include "workflows/sdpd/run_folder.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+RunFile open_run_file(std::filesystem::path const& file, OutputUnits const& units,
+                      sdpd::Observables observables, Provenance const& provenance, bool resume) {
+  return resume ? RunFile::continue_file(file, units, observables)
+                : RunFile(file, units, observables, provenance);
+}
+
+bool is_due(std::int64_t done, std::int64_t every) {
+  return every > 0 && done % every == 0;
+}
+
+} // namespace
+
+RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& settings, OutputUnits const& units,
+                       std::filesystem::path const& folder, Provenance const& provenance, bool resume)
+    : units_(units), dt_(settings.dt), sample_every_(scene.run.sample_every),
+      instants_every_(instants_every(scene.run)), profile_every_(scene.profile.every),
+      histogram_every_(scene.histogram.every),
+      run_file_(
+          open_run_file(RunFolder(folder).run_file(), units, observables_of(settings), provenance, resume)),
+      profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
+                                                                  units, 1 / settings.K)
+                                   : std::nullopt),
+      histograms_(histogram_every_ > 0
+                      ? std::optional<HistogramSeries>(std::in_place, run_file_.store(), scene, units)
+                      : std::nullopt),
+      trajectories_(scene, folder, provenance, resume) {}
+
+std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {
+  for (std::int64_t const every : {sample_every_, instants_every_, profile_every_, histogram_every_})
+    if (every > 0)
+      steps = std::min(steps, every - done % every);
+  return trajectories_.steps_to_next(done, steps);
+}
+
+void RunOutputs::record(std::int64_t done, sdpd::Observation const& observed,
+                        sdpd::Simulation const& simulation) {
+  if (is_due(done, sample_every_))
+    run_file_.append(observed, static_cast<double>(done) * dt_);
+  record_instants(done, simulation);
+  trajectories_.record(done, simulation, units_, dt_);
+}
+
+void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simulation) {
+  bool const instant = is_due(done, instants_every_), profile = is_due(done, profile_every_),
+             histogram = is_due(done, histogram_every_);
+  if (!instant && !profile && !histogram)
+    return;
+  double const time = static_cast<double>(done) * dt_ * units_.time;
+  auto const now =
+      profile && profiles_->shows("P") ? simulation.snapshot_with_virials() : simulation.snapshot();
+  auto const step = simulation.step();
+  if (instant)
+    run_file_.append(now, sdpd::moments(now), step);
+  if (profile)
+    profiles_->append(now, simulation.box(), step, time);
+  if (histogram)
+    histograms_->append(now, step, time);
+}
+
+} // namespace mesobridge::workflows

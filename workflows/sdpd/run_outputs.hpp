@@ -1,0 +1,42 @@
+#pragma once
+#include "workflows/sdpd/histogram_series.hpp"
+#include "workflows/sdpd/profile_series.hpp"
+#include "workflows/sdpd/run_file.hpp"
+#include "workflows/sdpd/trajectories.hpp"
+#include <optional>
+
+namespace mesobridge::workflows {
+
+/// All that a run writes on its way: samples, instants, profiles, histograms and frames, each on its own
+/// schedule of sampled steps.
+class RunOutputs {
+ public:
+  /// Creates the files in the folder, or goes on with them. Throws InputError, EnvironmentError.
+  RunOutputs(Scene const& scene, sdpd::SimulationSettings const& settings, OutputUnits const& units,
+             std::filesystem::path const& folder, Provenance const& provenance, bool resume);
+
+  /// From this sampled step to the next that any of them wants, at most `steps`.
+  std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;
+
+  /// Writes what is due after `done` sampled steps.
+  void record(std::int64_t done, sdpd::Observation const& observed, sdpd::Simulation const& simulation);
+
+  /// What was written so far is safe, whatever happens to the program. Throws EnvironmentError.
+  void mark() { run_file_.mark(), trajectories_.mark(); }
+  void close() { run_file_.close(), trajectories_.close(); }
+
+  RunFile const& run_file() const { return run_file_; }
+
+ private:
+  void record_instants(std::int64_t done, sdpd::Simulation const& simulation);
+
+  OutputUnits units_;
+  double dt_;
+  std::int64_t sample_every_, instants_every_, profile_every_, histogram_every_;
+  RunFile run_file_;
+  std::optional<ProfileSeries> profiles_;
+  std::optional<HistogramSeries> histograms_;
+  Trajectories trajectories_;
+};
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,65 @@
+#include "workflows/sdpd/run_summary.hpp"
+#include "workflows/summary.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+void put_rejections(Json& json, std::string const& name, sdpd::PairCounts const& counts) {
+  double const proposed = static_cast<double>(std::max<std::uint64_t>(counts.proposed, 1));
+  json[name + "_out_of_domain"] = static_cast<double>(counts.out_of_domain) / proposed;
+  json[name + "_metropolis"] = static_cast<double>(counts.metropolis) / proposed;
+}
+
+} // namespace
+
+Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, RunFile const& file,
+                 OutputUnits const& units, Json const& calibration) {
+  auto const& scene = result.scene;
+  auto const& settings = result.settings;
+  auto const& e = result.equilibrium;
+  auto const observables = observables_of(settings);
+  auto in = [](cg::Estimate const& estimate, double unit) {
+    return cg::Estimate{estimate.mean * unit, estimate.se * unit, estimate.n_eff};
+  };
+  Json json;
+  json["title"] = scene.title;
+  json["n"] = simulation.size();
+  json["method"] = scene.method.name;
+  if (observables.densities)
+    json["K"] = settings.K;
+  json["dt_reduced"] = settings.dt;
+  json["dt" + units.time_key] = settings.dt * units.time;
+  json["steps"] = scene.run.steps;
+  json["neighbours"] = result.neighbours;
+  json["density_scale"] = settings.density_correction.scale;
+  json["density_self"] = settings.density_correction.self;
+  if (!calibration.is_null())
+    json["density_calibration"] = calibration;
+  put(json, "T_kin" + units.temperature_key, in(e.T_kin, units.temperature));
+  if (observables.energies)
+    put(json, "T_int" + units.temperature_key, in(e.T_int, units.temperature));
+  put(json, "P" + units.pressure_key, in(e.P, units.pressure));
+  if (observables.densities) {
+    put(json, "rho" + units.density_key, in(e.rho.mean, units.density));
+    put(json, "rho_variance", in(e.rho.variance, units.density * units.density));
+    put(json, "P_internal" + units.pressure_key, in(e.P_i.mean, units.pressure));
+  }
+  if (observables.energies) {
+    put(json, "e" + units.specific_energy_key, in(e.eps.mean, units.specific_energy));
+    put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
+    put(json, "energy_drift_per" + (units.time_key.empty() ? "_time" : units.time_key),
+        cg::Estimate{e.drift.rate / units.time, e.drift.se / units.time, 8});
+  }
+  for (std::string const energy : {"kinetic_energy", "potential_energy"})
+    if (auto const mean = file.mean(energy + units.energy_key); mean && !observables.densities)
+      put(json, energy + "_per_particle" + units.energy_key,
+          in(*mean, 1 / static_cast<double>(simulation.size())));
+  put_rejections(json, "rejected", simulation.pair_counts());
+  if (settings.conducts())
+    put_rejections(json, "conduction_rejected", simulation.conduction_counts());
+  auto const p = simulation.observe().momentum;
+  json["momentum" + units.momentum_key] = norm(p) * units.momentum;
+  return json;
+}
+
+} // namespace mesobridge::workflows
