@@ -50,7 +50,7 @@ Plot crussard_plot(Explosive const& explosive, std::vector<fitting::Shock> const
             .title = plain(fmt::format("Detonation of {}: D = {:.5g}{}", explosive.reactant.name, cj.v_S,
                                        reduced ? "" : " m/s")),
             .x = {.label = "rho_0/rho"},
-            .panels = {Panel{.legend = Legend::top_right}}};
+            .panels = {Panel{}}};
   auto& panel = plot.panels[0];
   panel.y.label = pressure_label(reduced);
   panel.series = {

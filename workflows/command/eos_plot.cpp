@@ -60,7 +60,7 @@ Plot eos_plot(std::vector<NamedFluid> const& models, Options const& options, Con
   Plot plot{.name = "eos",
             .title = "Equations of state",
             .x = {.label = density_label(reduced)},
-            .panels = {Panel{.legend = Legend::top_left}}};
+            .panels = {Panel{}}};
   plot.panels[0].y.label = pressure_label(reduced);
   for (auto const& model : models) {
     require_same_units(models.front(), model);

@@ -45,8 +45,7 @@ Plot profile_plot(NamedFluid const& model, fitting::ShockProfile const& profile)
       .title = plain("Shock front in " + model.name),
       .x = {.label = r ? "x*" : "x [nm]"},
       .panels = {Panel{.series = {velocity}, .y = {.label = r ? "v*" : "v [m/s]"}, .legend = Legend::none},
-                 Panel{.series = {temperature}, .y = {.label = r ? "T*" : "T [K]"}, .legend = Legend::none}},
-      .height = 560};
+                 Panel{.series = {temperature}, .y = {.label = r ? "T*" : "T [K]"}, .legend = Legend::none}}};
 }
 
 Result profile(Options const& options, Context const& context) {

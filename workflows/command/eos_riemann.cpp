@@ -71,8 +71,7 @@ Plot riemann_plot(Columns const& columns, bool reduced) {
           .title = "Riemann problem",
           .x = {.label = reduced ? "x/t" : "x/t [m/s]"},
           .panels = {panel(rho, 1, density_label(reduced)), panel(u, 1, reduced ? "u*" : "u [m/s]"),
-                     panel(P, pressure_unit(reduced), pressure_label(reduced))},
-          .height = 720};
+                     panel(P, pressure_unit(reduced), pressure_label(reduced))}};
 }
 
 Json wave_json(fitting::RiemannSolution::Speeds const& speeds, bool shock, bool reduced) {

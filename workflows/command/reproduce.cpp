@@ -5,6 +5,7 @@
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
@@ -45,6 +46,9 @@ Result reproduce(Options const& options, Context const& context) {
                            .seed = seed,
                            .threads = common.threads.value_or(available_threads())},
                           context);
+  constexpr char const* thesis = "Faure 2017"; // which every reproduction is compared with
+  if (auto& sources = found.report.sources; std::ranges::find(sources, thesis) == sources.end())
+    sources.insert(sources.begin(), thesis);
   found.report.provenance = {context.command_line(), seed, "", {}};
   Result result;
   result.json = {{"name", wanted.name}, {"shows", wanted.shows}, {"preset", options.preset}, {"seed", seed}};

@@ -122,20 +122,17 @@ bool several_positions(Curves const& curves) {
 
 Plot plot_of(EosFit const& fit, DataPath path, Quantity quantity, Curves const& curves) {
   constexpr std::string_view names[] = {"states", "Hugoniot", "isentrope", "Chapman-Jouguet state"};
-  constexpr std::size_t few_in_legend = 3, most_in_legend = 8;
+  constexpr std::size_t most_in_legend = 8;
   auto const [label, unit] = drawn(quantity);
   auto const x = drawn(abscissa(path));
-  Plot plot{.name = fmt::format("fit{}{}", static_cast<int>(path), static_cast<int>(quantity)),
-            .title = fmt::format("{}: {}", names[static_cast<std::size_t>(path)], symbol(quantity)),
-            .x = {.label = x.label},
-            .panels = {Panel{.y = {.label = label}, .height = 2}, Panel{.y = {.label = "(data - fit) / se"}}},
-            .width = 760,
-            .height = 560};
+  Plot plot{
+      .name = fmt::format("fit{}{}", static_cast<int>(path), static_cast<int>(quantity)),
+      .title = fmt::format("{}: {}", names[static_cast<std::size_t>(path)], symbol(quantity)),
+      .x = {.label = x.label},
+      .panels = {Panel{.y = {.label = label}, .height = 2}, Panel{.y = {.label = "(data - fit) / se"}}}};
   auto& values = plot.panels[0];
   auto& deviations = plot.panels[1];
-  values.legend = curves.size() > most_in_legend  ? Legend::none
-                  : curves.size() > few_in_legend ? Legend::outside
-                                                  : Legend::top_left;
+  values.legend = curves.size() > most_in_legend ? Legend::none : Legend::below;
   deviations.legend = Legend::none;
   deviations.level_lines = {-2, 0, 2};
   int colour = 0;

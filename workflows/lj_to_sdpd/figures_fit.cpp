@@ -49,14 +49,10 @@ Plot isotherms(ChainResults const& results, GridQuantity quantity) {
   Plot plot{.name = "isotherms" + symbol,
             .title = "Isotherms: MD (points), fit (lines), published (dashes)",
             .x = {.label = "rho*"},
-            .panels = {Panel{.height = 2}, Panel{}},
-            .width = 760,
-            .height = 620};
+            .panels = {Panel{.height = 2}, Panel{}}};
   auto& values = plot.panels[0];
   auto& differences = plot.panels[1];
   values.y.label = symbol + "*";
-  // Energies of hot gases fill the corner that pressures leave empty.
-  values.legend = quantity == GridQuantity::U ? Legend::outside : Legend::top_left;
   differences.y.label = "difference to fit [%]";
   differences.legend = Legend::none;
   differences.level_lines = {0};
@@ -90,9 +86,7 @@ Plot held_out(ChainResults const& results) {
   Plot plot{.name = "heldout",
             .title = "Each state predicted by a fit without it",
             .x = {.label = "rho*"},
-            .panels = {Panel{}},
-            .width = 760,
-            .height = 380};
+            .panels = {Panel{}}};
   auto& panel = plot.panels[0];
   panel.y.label = "(MD - prediction) / standard error";
   panel.level_lines = {-3, 0, 3};

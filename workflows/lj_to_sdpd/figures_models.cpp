@@ -78,16 +78,12 @@ Plot models_and_md(ChainResults const& results, GridQuantity quantity) {
             .title = fmt::format("{} against Kolafa-Nezbeda: MD, fit and two published equations",
                                  energy ? "Energy" : "Pressure"),
             .x = {.label = "rho*"},
-            .panels = {},
-            .width = 760,
-            .height = 720};
+            .panels = {}};
   for (double const T : shown_temperatures(results.fit)) {
     Differences const differences(results.fit, T, quantity);
     bool const first = plot.panels.empty();
     auto label = [first](char const* text) { return first ? std::string(text) : std::string(); };
-    Panel panel{.y = {.label = fmt::format("[%] at T* = {:.3g}", T)},
-                .legend = first ? Legend::outside : Legend::none,
-                .level_lines = {0}};
+    Panel panel{.y = {.label = fmt::format("[%] at T* = {:.3g}", T)}, .level_lines = {0}};
     panel.series.push_back(differences.md(label("MD"), 0));
     panel.series.push_back(differences.curve(results.fit.eos, label("fit"), SeriesStyle::lines, 0));
     panel.series.push_back(

@@ -38,11 +38,8 @@ Plot size_plot(std::string name, std::string title, std::string y) {
   Plot plot{.name = std::move(name),
             .title = std::move(title),
             .x = {.label = "particle size K", .logarithmic = true, .min = 7, .max = 15000},
-            .panels = {Panel{}},
-            .width = 560,
-            .height = 400};
+            .panels = {Panel{}}};
   plot.panels[0].y.label = std::move(y);
-  plot.panels[0].legend = Legend::top_right;
   return plot;
 }
 
@@ -70,8 +67,6 @@ fitting::EosState target(RunResult const& run) {
 Plot pressure_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
   auto plot = size_plot("pressureK", "Pressure", "P [GPa]");
-  plot.panels[0].legend = Legend::outside; // inside it would cover the points of large particles
-  plot.width = 700;
   auto in_GPa = [](RunResult const& run) { return run.settings.units().pressure() / 1e9; };
   double const eos = target(runs.front()).P / 1e9;
   plot.panels[0].series = {
@@ -113,8 +108,6 @@ Plot density_against_size(ChainResults const& results) {
 Plot variances_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
   auto plot = size_plot("varianceK", "Variances over the particles", "variance");
-  plot.panels[0].legend = Legend::outside;
-  plot.width = 700;
   plot.panels[0].y.logarithmic = true;
   auto add = [&](std::string const& label, int colour, auto estimate, double ThesisMeans::*member) {
     plot.panels[0].series.push_back(against_size(label, runs, colour, estimate));
@@ -182,7 +175,6 @@ Plot drift_against_time_step(std::vector<DriftLaw> const& laws) {
             .panels = {Panel{}}};
   auto& panel = plot.panels[0];
   panel.y = {.label = "drift rate of E/E_0 [1 / reduced time]", .logarithmic = true};
-  panel.legend = Legend::outside;
   int colour = 0;
   for (auto const& law : laws) {
     double const printed = law.K == 10 ? 9.50 : law.K == 50 ? 181 : 217;

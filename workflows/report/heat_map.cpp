@@ -1,5 +1,6 @@
 #include "workflows/report/heat_map.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/report/plot.hpp"
 #include "workflows/report/report.hpp"
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-constexpr int left = 64, right = 96, top_margin = 34, bottom = 50, scale_width = 16;
+constexpr int left = 72, right = 96, top_margin = 36, bottom = 56, scale_width = 16;
 
 /// From white over the palette's blue to nearly black, so that the print shows it too.
 std::string colour(double part) {
@@ -33,12 +34,14 @@ std::string text_at(double x, double y, std::string const& anchor, std::string c
 std::string draw_svg(HeatMap const& map) {
   if (map.x.empty() || map.y.empty() || map.value.size() != map.x.size() * map.y.size())
     throw std::logic_error(fmt::format("heat map '{}': lengths differ", map.title));
-  double const wide = map.width - left - right, high = map.height - top_margin - bottom;
+  double const wide = plot_width - left - right, high = plot_height - top_margin - bottom;
   double const cell_x = wide / double(map.x.size()), cell_y = high / double(map.y.size());
-  std::string svg = fmt::format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}' role='img' "
-                                "font-family='sans-serif' font-size='13'>\n",
-                                map.width, map.height);
-  svg += text_at(left + wide / 2, 20, "middle", map.title, "font-size='15'");
+  std::string svg =
+      fmt::format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}' role='img' "
+                  "font-family='{}' font-size='{}'>\n<title>{}: {} over {} and {}</title>\n",
+                  plot_width, plot_height, plot_font, plot_font_size, html_escaped(map.title),
+                  html_escaped(map.value_label), html_escaped(map.x_label), html_escaped(map.y_label));
+  svg += text_at(left + wide / 2, 20, "middle", map.title);
   for (std::size_t i = 0; i < map.x.size(); ++i)
     for (std::size_t j = 0; j < map.y.size(); ++j) {
       auto const& value = map.value[i * map.y.size() + j];
@@ -54,7 +57,7 @@ std::string draw_svg(HeatMap const& map) {
   for (std::size_t j = 0; j < map.y.size(); j += std::max<std::size_t>(1, map.y.size() / 5))
     svg += text_at(left - 6, top_margin + high - (double(j) + 0.5) * cell_y + 4, "end",
                    number_text(map.y[j], 3));
-  svg += text_at(left + wide / 2, map.height - 10, "middle", map.x_label);
+  svg += text_at(left + wide / 2, plot_height - 10, "middle", map.x_label);
   svg += text_at(16, top_margin + high / 2, "middle", map.y_label,
                  fmt::format("transform='rotate(-90 16 {:.1f})'", top_margin + high / 2));
   constexpr int shades = 40;
@@ -65,8 +68,8 @@ std::string draw_svg(HeatMap const& map) {
                        colour((k + 0.5) / shades));
   svg += text_at(scale_x + scale_width + 4, top_margin + high, "start", "0");
   svg += text_at(scale_x + scale_width + 4, top_margin + 10, "start", number_text(map.top, 2));
-  svg += text_at(map.width - 8, top_margin + high / 2, "middle", map.value_label,
-                 fmt::format("transform='rotate(-90 {} {:.1f})'", map.width - 8, top_margin + high / 2));
+  svg += text_at(plot_width - 8, top_margin + high / 2, "middle", map.value_label,
+                 fmt::format("transform='rotate(-90 {} {:.1f})'", plot_width - 8, top_margin + high / 2));
   return svg + "</svg>\n";
 }
 

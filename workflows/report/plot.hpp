@@ -25,14 +25,19 @@ struct Axis {
   std::optional<double> min, max;
 };
 
-enum class Legend { top_left, top_right, bottom_left, bottom_right, outside, none };
+/// A legend stands under the drawing, where it covers no point.
+enum class Legend { below, none };
+
+/// Of every drawing [px]; drawings scale, so that equal sizes mean equal letters on a page.
+inline constexpr int plot_width = 640, plot_height = 480, plot_font_size = 15;
+inline constexpr char const* plot_font = "Arial";
 
 /// One of the panels that stand on top of each other over a common x axis.
 struct Panel {
   std::vector<Series> series;
   Axis y;
   double height = 1; ///< relative to the other panels
-  Legend legend = Legend::top_left;
+  Legend legend = Legend::below;
   std::vector<double> level_lines; ///< thin horizontal lines, e.g. {0} in a panel of residuals
 };
 
@@ -41,13 +46,12 @@ struct Plot {
   std::string title;
   Axis x;
   std::vector<Panel> panels;
-  int width = 760, height = 460; ///< [px]; the drawing scales
 };
 
-/// Draws with gnuplot: an SVG element without XML prolog, ready to stand in HTML.
-/// Throws PhysicsError that names plot and series for data that are not finite (or not positive on a
-/// logarithmic axis), std::logic_error for series of unequal lengths, EnvironmentError with gnuplot's own
-/// words if it fails.
+/// Draws with gnuplot: an SVG element without XML prolog, ready to stand in HTML, of plot_width x
+/// plot_height, with a text for those who cannot see it. Throws PhysicsError that names plot and series for
+/// data that are not finite (or not positive on a logarithmic axis), std::logic_error for series of unequal
+/// lengths, EnvironmentError with gnuplot's own words if it fails.
 std::string draw_svg(Plot const& plot);
 
 /// A text without gnuplot's marks: its underscores, carets and braces are shown as they are.

@@ -1,8 +1,12 @@
 #include "workflows/report/report.hpp"
 #include "md/error.hpp"
+#include "workflows/report/check.hpp"
+#include "workflows/report/embedded_svg.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/report/sources.hpp"
 #include "workflows/report/style_sheet.hpp"
 #include "workflows/version.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 
@@ -22,56 +26,117 @@ std::string prose(std::string const& text) {
   return result + (code ? "</code>" : "");
 }
 
-std::string row(std::vector<std::string> const& cells, std::string const& tag) {
+std::string row(std::vector<std::string> const& cells, std::string const& open, std::string const& close,
+                std::string const& end = "</tr>\n") {
   std::string text = "<tr>";
   for (auto const& cell : cells)
-    text += fmt::format("<{0}>{1}</{0}>", tag, prose(cell));
-  return text + "</tr>\n";
+    text += open + prose(cell) + close;
+  return text + end;
 }
 
+/// Wide tables scroll inside this, with the keyboard too.
+std::string scrolling(std::string const& table, std::string const& label) {
+  return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">{}</div>\n",
+                     html_escaped(label), table);
+}
+
+/// Writes the parts of the sections; counts the drawings, so that each has names of its own.
 struct ContentWriter {
-  std::string operator()(Paragraph const& paragraph) const {
+  std::size_t drawings = 0, tables = 0;
+
+  std::string operator()(Paragraph const& paragraph) {
     return fmt::format("<p>{}</p>\n", prose(paragraph.text));
   }
 
-  std::string operator()(Figure const& figure) const {
+  std::string operator()(Figure const& figure) {
+    if (figure.svgs.empty())
+      return "";
     std::string text = "<figure>\n<div class=\"drawings\">\n";
     for (auto const& svg : figure.svgs)
-      text += fmt::format("<div>{}</div>\n", svg);
+      text += fmt::format("<div>{}</div>\n", embedded_svg(svg, ++drawings));
     return text + "</div>\n<figcaption>" + prose(figure.caption) + "</figcaption>\n</figure>\n";
   }
 
-  std::string operator()(Table const& table) const {
-    std::string text = "<div class=\"scroll\"><table>\n<caption>" + prose(table.caption) + "</caption>\n";
-    text += "<thead>" + row(table.header, "th") + "</thead>\n<tbody>\n";
+  std::string operator()(Table const& table) {
+    std::string text = "<table>\n<caption>" + prose(table.caption) + "</caption>\n<thead>" +
+                       row(table.header, "<th scope=\"col\">", "</th>") + "</thead>\n<tbody>\n";
     for (auto const& cells : table.rows) {
       if (cells.size() != table.header.size())
         throw std::logic_error("a table's row has not as many cells as its header: " + table.caption);
-      text += row(cells, "td");
+      text += row(cells, "<td>", "</td>");
     }
-    return text + "</tbody>\n</table></div>\n";
+    return scrolling(text + "</tbody>\n</table>", fmt::format("Table {}", ++tables));
+  }
+
+  std::string operator()(Files const& files) {
+    std::string text = "<ul>\n";
+    for (auto const& [name, what] : files.entries)
+      text += fmt::format("<li><a href=\"{0}\">{0}</a>: {1}</li>\n", html_escaped(name), prose(what));
+    return text + "</ul>\n";
   }
 };
 
 std::string verdicts_html(std::vector<VerdictLine> const& verdicts) {
   if (verdicts.empty())
     return "";
+  bool const deviations =
+      std::ranges::any_of(verdicts, [](auto const& line) { return !line.deviation.empty(); });
   std::string text =
-      "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr><th>Shown</th><th>Found</th>"
-      "<th>Expected</th><th></th></tr></thead>\n<tbody>\n";
+      fmt::format("<table class=\"verdicts\">\n<caption>{}</caption>\n<thead><tr>"
+                  "<th scope=\"col\">Shown</th><th scope=\"col\">Found</th>"
+                  "<th scope=\"col\">Expected</th>{}<th scope=\"col\">Verdict</th></tr></thead>\n"
+                  "<tbody>\n",
+                  deviations ? html_escaped(how_checks_are_made()) : "Checks",
+                  deviations ? "<th scope=\"col\">Deviation</th>" : "");
   for (auto const& line : verdicts) {
     bool const passed = line.verdict == Verdict::passed, failed = line.verdict == Verdict::failed;
-    text +=
-        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><span class=\"pill {}\">{}</span></td></tr>\n",
-                    prose(line.what), prose(line.found), prose(line.expected),
-                    passed   ? "passed"
-                    : failed ? "failed"
-                             : "noted",
-                    passed   ? "agrees"
-                    : failed ? "differs"
-                             : "noted");
+    text += row({line.what, line.found, line.expected}, "<td>", "</td>", "");
+    if (deviations)
+      text += fmt::format("<td>{}</td>", prose(line.deviation));
+    text += fmt::format("<td><span class=\"pill {}\">{}</span></td></tr>\n",
+                        passed   ? "passed"
+                        : failed ? "failed"
+                                 : "noted",
+                        passed   ? "agrees"
+                        : failed ? "differs"
+                                 : "noted");
   }
-  return text + "</tbody>\n</table></div>\n";
+  return scrolling(text + "</tbody>\n</table>", "Checks");
+}
+
+std::string warnings_html(std::vector<std::string> const& warnings) {
+  if (warnings.empty())
+    return "";
+  std::string text = "<div class=\"warnings\" role=\"note\" aria-label=\"Warnings\">\n<ul>\n";
+  for (auto const& warning : warnings)
+    text += fmt::format("<li>{}</li>\n", prose(warning));
+  return text + "</ul>\n</div>\n";
+}
+
+std::string sources_html(std::vector<std::string> const& keys) {
+  if (keys.empty())
+    return "";
+  std::string text = "<h2 id=\"sources\">Sources</h2>\n<ul class=\"sources\">\n";
+  for (auto const& key : keys) {
+    auto const& [name, authors, title, where, year, link] = source(key);
+    text += fmt::format("<li>{}. <cite>{}</cite>. {} ({}). <a href=\"{}\">{}</a></li>\n",
+                        html_escaped(std::string(authors)), html_escaped(std::string(title)),
+                        html_escaped(std::string(where)), year, link, link);
+  }
+  return text + "</ul>\n";
+}
+
+/// Where a report has enough sections to be lost in.
+std::string contents_html(Report const& report) {
+  constexpr std::size_t few = 3;
+  if (report.sections.size() < few)
+    return "";
+  std::string text = "<nav aria-label=\"Contents\"><ul>";
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    text += fmt::format("<li><a href=\"#s{}\">{}</a></li>", i, html_escaped(report.sections[i].title));
+  if (!report.sources.empty())
+    text += "<li><a href=\"#sources\">Sources</a></li>";
+  return text + "<li><a href=\"#made\">How it was made</a></li></ul></nav>\n";
 }
 
 std::string provenance_html(Provenance const& provenance) {
@@ -116,20 +181,18 @@ std::string html_escaped(std::string const& text) {
 
 std::string Report::html() const {
   auto body = fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", html_escaped(title), prose(lead));
-  body += verdicts_html(verdicts) + "<nav>";
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    body += fmt::format("<a href=\"#s{}\">{}</a>", i, html_escaped(sections[i].title));
-  body += "<a href=\"#made\">How it was made</a></nav>\n";
+  body += warnings_html(warnings) + verdicts_html(verdicts) + contents_html(*this);
+  ContentWriter writer;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     body += fmt::format("<h2 id=\"s{}\">{}</h2>\n", i, html_escaped(sections[i].title));
     for (auto const& item : sections[i].content)
-      body += std::visit(ContentWriter{}, item);
+      body += std::visit(writer, item);
   }
-  body += provenance_html(provenance);
+  body += sources_html(sources) + provenance_html(provenance);
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n"
-      "<body>\n<main>\n{}</main>\n</body>\n</html>\n",
+      "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
+      "dark\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
       html_escaped(title), style_sheet, body);
 }
 

@@ -16,6 +16,7 @@ struct VerdictLine {
   std::string found;
   std::string expected;
   Verdict verdict = Verdict::noted;
+  std::string deviation = {}; ///< how far apart, in standard errors, and what is allowed; see check.hpp
 };
 
 /// Plain text; `words in backquotes` are set as code.
@@ -36,18 +37,29 @@ struct Table {
   std::string caption;
 };
 
-struct Section {
-  std::string title;
-  std::vector<std::variant<Paragraph, Figure, Table>> content;
+/// Files beside the report, by their names there, and what is in them.
+struct Files {
+  struct Entry {
+    std::string name, what;
+  };
+  std::vector<Entry> entries;
 };
 
-/// A report for people: one HTML file that needs nothing else, not even the network.
+struct Section {
+  std::string title;
+  std::vector<std::variant<Paragraph, Figure, Table, Files>> content;
+};
+
+/// A report for people: one HTML file that needs nothing else, not even the network. It reads on screens from
+/// 320 px on, light and dark, and prints.
 struct Report {
   std::string title;
   std::string lead; ///< what this is and what came out, in two or three sentences
   std::vector<VerdictLine> verdicts;
   std::vector<Section> sections;
   Provenance provenance;
+  std::vector<std::string> warnings = {}; ///< what a reader must know first
+  std::vector<std::string> sources = {};  ///< keys of sources.hpp, of what the report compares with or uses
 
   std::string html() const;
 };

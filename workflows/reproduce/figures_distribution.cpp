@@ -28,7 +28,6 @@ Plot distribution_plot(std::vector<LineResult> const& lines, std::size_t which) 
             .x = {.label = "eps / k_B T", .max = 16.0},
             .panels = {Panel{}}};
   plot.panels[0].y.label = "probability density";
-  plot.panels[0].legend = Legend::top_right;
   auto const& bins = lines[0].trials[which].bins;
   std::vector<double> x;
   for (std::size_t b = 0; b < bins.count; ++b)

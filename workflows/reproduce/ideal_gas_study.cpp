@@ -109,7 +109,6 @@ Plot over_time_step(std::string name, std::string title, std::string y, bool log
             .x = {.label = "time step [reduced]", .logarithmic = true},
             .panels = {Panel{}}};
   plot.panels[0].y = {.label = std::move(y), .logarithmic = logarithmic};
-  plot.panels[0].legend = Legend::outside;
   return plot;
 }
 
@@ -120,7 +119,6 @@ Plot energy_in_time(std::string name, std::string title, std::vector<LineResult>
             .panels = {Panel{}}};
   plot.panels[0].y.label = "10^4 (E - E_0)/|E_0|";
   plot.panels[0].level_lines = {0};
-  plot.panels[0].legend = Legend::outside;
   for (auto const& line : lines)
     for (std::size_t k = 0; k < line.dt.size(); ++k) {
       if (line.trials[k].failed())

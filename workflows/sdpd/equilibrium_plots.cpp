@@ -1,5 +1,6 @@
 #include "workflows/sdpd/equilibrium_plots.hpp"
 #include "cg/histogram.hpp"
+#include "workflows/sdpd/run_plots.hpp"
 #include <algorithm>
 #include <gsl/gsl_randist.h>
 
@@ -7,10 +8,8 @@ namespace mesobridge::workflows {
 
 Plot distribution_plot(std::string const& name, std::string const& title, std::string const& axis,
                        std::vector<LabelledSamples> const& samples) {
-  Plot plot{
-      .name = name, .title = title, .x = {.label = axis}, .panels = {Panel{}}, .width = 560, .height = 400};
+  Plot plot{.name = name, .title = title, .x = {.label = axis}, .panels = {Panel{}}};
   plot.panels[0].y.label = "probability density";
-  plot.panels[0].legend = Legend::top_right;
   for (auto const& [label, values, unit] : samples) {
     std::vector<double> scaled(values.begin(), values.end());
     for (auto& value : scaled)
@@ -33,9 +32,15 @@ Plot energy_error_plot(std::string const& name,
   plot.panels[0].y.label = "10^6 (E - E_0)/E_0";
   plot.panels[0].level_lines = {0};
   for (auto const& [label, run] : runs) {
-    Series series{.label = label, .x = run->times, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+    std::vector<double> error;
     for (double const energy : run->energies)
-      series.y.push_back(1e6 * (energy / run->energies.front() - 1));
+      error.push_back(1e6 * (energy / run->energies.front() - 1));
+    constexpr std::size_t most_points = 400;
+    Series series{.label = label,
+                  .x = thinned(run->times, most_points),
+                  .y = thinned(error, most_points),
+                  .y_error = {},
+                  .style = SeriesStyle::lines};
     plot.panels[0].series.push_back(std::move(series));
   }
   return plot;

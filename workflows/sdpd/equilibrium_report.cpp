@@ -3,6 +3,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
+#include "workflows/sdpd/run_plots.hpp"
 #include "workflows/text_file.hpp"
 
 namespace mesobridge::workflows {
@@ -14,6 +15,18 @@ cg::Estimate scaled(cg::Estimate const& e, double unit) {
 
 std::string with_unit(std::string const& quantity, std::string const& unit) {
   return unit.empty() ? quantity : quantity + " [" + unit + "]";
+}
+
+/// Energy per mass and its drift, for which there is nothing to compare with.
+void add_energies(Table& table, RunResult const& run, OutputUnits const& units) {
+  auto const& e = run.equilibrium;
+  bool const si = run.scene.units == UnitSystem::SI;
+  table.rows.push_back({with_unit("internal energy per mass", si ? "J/kg" : ""),
+                        with_error_text(scaled(e.eps.mean, units.specific_energy)), "", "", ""});
+  table.rows.push_back(
+      {with_unit("drift of the energy, relative", si ? "1/ps" : "1/time"),
+       with_error_text(scaled({e.drift.rate, e.drift.se, 8}, 1 / (units.time * (si ? 1e12 : 1)))), "0", "",
+       ""});
 }
 
 Table numbers(RunResult const& run, OutputUnits const& units) {
@@ -34,6 +47,7 @@ Table numbers(RunResult const& run, OutputUnits const& units) {
       comparison_row(with_unit("pressure", si ? "Pa" : ""), scaled(e.P, units.pressure), state.P));
   table.rows.push_back(comparison_row(with_unit("mean density", si ? "kg/m^3" : ""),
                                       scaled(e.rho.mean, units.density), state.rho));
+  add_energies(table, run, units);
   return table;
 }
 
@@ -50,66 +64,148 @@ Table pair_fluid_numbers(RunResult const& run, OutputUnits const& units) {
                                         scaled(e.T_int, units.temperature), run.settings.T));
   table.rows.push_back(
       {with_unit("pressure", si ? "Pa" : ""), with_error_text(scaled(e.P, units.pressure)), "", "", ""});
+  if (run.settings.pair_fluid->follows_energy())
+    add_energies(table, run, units);
   return table;
 }
 
-void write_pair_fluid_report(std::filesystem::path const& file, RunResult const& run,
-                             std::string const& command) {
-  OutputUnits const units(run.settings.units(), run.scene.units);
-  bool const energies = run.settings.pair_fluid->follows_energy();
-  double const thermal = run.settings.units().energy();
-  Report report{.title = run.scene.title,
-                .lead = fmt::format(
-                    "{} {} particles with {:.1f} neighbours each, {} steps of {:.4g} reduced time units "
-                    "after {} steps of equilibration.",
-                    run.scene.particles.N, energies ? "DPDE" : "DPD", run.neighbours, run.scene.run.steps,
-                    run.settings.dt, run.scene.run.equilibrate),
-                .verdicts = {},
-                .sections = {{"Means", {pair_fluid_numbers(run, units)}}},
-                .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}}};
-  if (energies) {
-    auto const distribution =
-        draw_svg(distribution_plot("energies", "Internal energies", "eps / k_B T", {{"", run.eps, thermal}}));
-    report.sections.push_back({"Distributions", {Figure{{distribution}, "Over particles and instants."}}});
-    report.sections.push_back(
-        {"Conservation of energy",
-         {Figure{{draw_svg(energy_error_plot("energy_error", {{"", &run}}))},
-                 fmt::format("Relative energy error; it drifts at {} per reduced unit of time.",
-                             with_error_text({run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}))}}});
+/// What the summary says against the run: its keys `warnings` and `findings`, texts or objects with one.
+std::vector<std::string> warnings_of(Json const& summary) {
+  std::vector<std::string> warnings;
+  for (char const* const key : {"warnings", "findings"}) {
+    if (!summary.contains(key))
+      continue;
+    for (auto const& entry : summary[key]) {
+      if (entry.is_string())
+        warnings.push_back(entry.get<std::string>());
+      else
+        for (char const* const name : {"message", "text", "what"})
+          if (entry.is_object() && entry.contains(name) && entry[name].is_string()) {
+            warnings.push_back(entry[name].get<std::string>());
+            break;
+          }
+    }
   }
-  write_text_file(file, report.html());
+  return warnings;
+}
+
+Figure drawn(std::vector<Plot> const& plots, std::string caption) {
+  Figure figure{{}, std::move(caption)};
+  for (auto const& plot : plots)
+    figure.svgs.push_back(draw_svg(plot));
+  return figure;
+}
+
+Section time_section(std::filesystem::path const& run_file, RunResult const& run) {
+  auto figure =
+      drawn(time_series_plots(run_file, run),
+            "The sampled part of the run (means of neighbouring samples where there are many); dashes "
+            "and bands: the mean over the run ± its standard error, which knows the samples' memory.");
+  Section section{"In time", {}};
+  if (run.scene.has_energies()) {
+    figure.svgs.push_back(draw_svg(energy_error_plot("energyerror", {{"", &run}})));
+    figure.caption += fmt::format(" The relative energy error drifts at {} per reduced unit of time.",
+                                  with_error_text({run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}));
+  }
+  section.content.emplace_back(std::move(figure));
+  return section;
+}
+
+/// Distributions over the particles: those that the scene asks for, or of the stored instants.
+std::vector<Plot> distributions(std::filesystem::path const& run_file, RunResult const& run) {
+  if (auto asked = histogram_plots(run_file, run); !asked.empty())
+    return asked;
+  bool const si = run.scene.units == UnitSystem::SI;
+  std::vector<Plot> plots;
+  if (!run.eps.empty()) {
+    auto const& units = run.settings.units();
+    double const thermal = run.settings.pair_fluid ? units.energy() : units.boltzmann * run.settings.T;
+    plots.push_back(
+        distribution_plot("energies", "Internal energies", "eps / k_B T", {{"", run.eps, thermal}}));
+  }
+  if (!run.rho.empty())
+    plots.push_back(
+        distribution_plot("densities", "Densities", si ? "rho [kg/m^3]" : "rho", {{"", run.rho}}));
+  if (!run.P.empty())
+    plots.push_back(
+        distribution_plot("pressures", "Pressures", si ? "P [GPa]" : "P", {{"", run.P, si ? 1e9 : 1}}));
+  return plots;
+}
+
+/// The files that a run may leave in its folder, those that are there.
+Files files_of(std::filesystem::path const& directory) {
+  static std::vector<Files::Entry> const known{
+      {"summary.json", "all results with their standard errors"},
+      {"run.h5", "samples, instants, profiles and histograms (HDF5)"},
+      {"trajectory.h5", "positions and velocities (H5MD)"},
+      {"trajectory.vtkhdf", "the particles for ParaView"},
+      {"trajectory.xyz", "the particles for OVITO"},
+      {"calibration.json", "how the constants of the densities were found"},
+      {"scene.toml", "the scene as resolved"},
+      {"log.txt", "what the run said"}};
+  Files files;
+  for (auto const& entry : known)
+    if (std::filesystem::exists(directory / entry.name))
+      files.entries.push_back(entry);
+  return files;
+}
+
+std::string lead_of(RunResult const& run, OutputUnits const& units) {
+  auto const* const method = run.scene.is_sdpd() ? "SDPD" : run.scene.has_energies() ? "DPDE" : "DPD";
+  return fmt::format(
+      "{} {} particles{} with {:.1f} neighbours each, {} steps of {:.4g} reduced time units{} "
+      "after {} steps of equilibration.",
+      run.scene.particles.N, method,
+      run.scene.is_sdpd() ? fmt::format(" of size K = {:g}", run.settings.K) : "", run.neighbours,
+      run.scene.run.steps, run.settings.dt,
+      run.scene.units == UnitSystem::SI ? fmt::format(" ({:.4g} s)", run.settings.dt * units.time) : "",
+      run.scene.run.equilibrate);
+}
+
+/// What the method of the run rests on.
+std::vector<std::string> sources_of(RunResult const& run) {
+  std::vector<std::string> sources;
+  if (run.scene.is_sdpd())
+    sources = {"Espanol and Revenga 2003", "Faure et al. 2016"};
+  if (run.scene.is_sdpd() && run.scene.particles.kernel.starts_with("wendland"))
+    sources.emplace_back("Dehnen and Aly 2012");
+  if (run.scene.scheme.name == "ssa")
+    sources.emplace_back("Shardlow 2003");
+  if (run.scene.fluid.eos == "argon" || run.scene.fluid.eos == "lj")
+    sources.emplace_back("Johnson et al. 1993");
+  if (run.scene.fluid.eos == "lj-kn")
+    sources.emplace_back("Kolafa and Nezbeda 1994");
+  if (run.scene.fluid.eos == "lj-thol")
+    sources.emplace_back("Thol et al. 2016");
+  sources.emplace_back("Wolff 2004");
+  return sources;
 }
 
 } // namespace
 
 void write_equilibrium_report(std::filesystem::path const& file, RunResult const& run,
                               std::string const& command) {
-  if (run.settings.pair_fluid)
-    return write_pair_fluid_report(file, run, command);
   OutputUnits const units(run.settings.units(), run.scene.units);
-  bool const si = run.scene.units == UnitSystem::SI;
-  double const thermal = run.settings.units().boltzmann * run.settings.T;
-  double const GPa = si ? 1e9 : 1;
-  std::vector<std::string> const distributions{
-      draw_svg(distribution_plot("energies", "Internal energies", "eps / k_B T", {{"", run.eps, thermal}})),
-      draw_svg(distribution_plot("densities", "Densities", si ? "rho [kg/m^3]" : "rho", {{"", run.rho}})),
-      draw_svg(distribution_plot("pressures", "Pressures", si ? "P [GPa]" : "P", {{"", run.P, GPa}}))};
-  Report report{
-      .title = run.scene.title,
-      .lead = fmt::format(
-          "{} SDPD particles of size K = {:g} with {:.1f} neighbours each, {} steps of {:.4g} reduced "
-          "time units ({:.4g}{}) after {} steps of equilibration.",
-          run.scene.particles.N, run.settings.K, run.neighbours, run.scene.run.steps, run.settings.dt,
-          run.settings.dt * units.time, si ? " s" : "", run.scene.run.equilibrate),
-      .verdicts = {},
-      .sections = {{"Means", {numbers(run, units)}},
-                   {"Distributions", {Figure{distributions, "Distributions over particles and instants."}}},
-                   {"Conservation of energy",
-                    {Figure{{draw_svg(energy_error_plot("energy_error", {{"", &run}}))},
-                            fmt::format("Relative energy error; it drifts at {} per reduced unit of time.",
-                                        with_error_text(
-                                            {run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}))}}}},
-      .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}}};
+  auto const directory = file.parent_path(), run_file = directory / "run.h5";
+  Report report{.title = run.scene.title,
+                .lead = lead_of(run, units),
+                .verdicts = {},
+                .sections = {},
+                .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}},
+                .warnings = warnings_of(run.summary),
+                .sources = sources_of(run)};
+  report.sections.push_back(
+      {"Results", {run.settings.pair_fluid ? pair_fluid_numbers(run, units) : numbers(run, units)}});
+  report.sections.push_back(time_section(run_file, run));
+  if (auto const profiles = profile_plots(run_file, run); !profiles.empty())
+    report.sections.push_back(
+        {"Profiles",
+         {drawn(profiles,
+                fmt::format("Across the box along {}, means over the run with their standard errors.",
+                            run.scene.profile.axis))}});
+  if (auto const shown = distributions(run_file, run); !shown.empty())
+    report.sections.push_back({"Distributions", {drawn(shown, "Over particles and instants.")}});
+  report.sections.push_back({"Files", {files_of(directory)}});
   write_text_file(file, report.html());
 }
 

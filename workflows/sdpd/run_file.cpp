@@ -35,26 +35,33 @@ RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits co
   return run;
 }
 
-std::vector<RunFile::Column> RunFile::columns(sdpd::Observation const& now, double time) const {
-  auto const& u = units_;
+std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Observables observables,
+                                              sdpd::Observation const& now, double time) {
   std::vector<Column> all{{"step", static_cast<double>(now.step)},
                           {"time" + u.time_key, time * u.time},
                           {"kinetic_energy" + u.energy_key, now.kinetic * u.energy}};
-  if (observables_.energies)
+  if (observables.energies)
     all.push_back({"internal_energy" + u.energy_key, now.internal * u.energy});
-  if (!observables_.densities)
+  if (!observables.densities)
     all.push_back({"potential_energy" + u.energy_key, now.potential * u.energy});
   all.push_back({"energy" + u.energy_key, now.energy() * u.energy});
   all.push_back({"T_kin" + u.temperature_key, now.T_kin * u.temperature});
-  if (observables_.energies)
+  if (observables.energies)
     all.push_back({"T_int" + u.temperature_key, now.T_int * u.temperature});
   all.push_back({"P" + u.pressure_key, now.P * u.pressure});
-  if (observables_.densities)
+  if (observables.densities)
     all.push_back({"rho" + u.density_key, now.rho * u.density});
   all.push_back({"momentum_x" + u.momentum_key, now.momentum.x * u.momentum});
   all.push_back({"momentum_y" + u.momentum_key, now.momentum.y * u.momentum});
   all.push_back({"momentum_z" + u.momentum_key, now.momentum.z * u.momentum});
   return all;
+}
+
+std::vector<std::string> RunFile::column_names(OutputUnits const& units, sdpd::Observables observables) {
+  std::vector<std::string> names;
+  for (auto const& column : columns(units, observables, {}, 0))
+    names.push_back(column.name);
+  return names;
 }
 
 void RunFile::append(sdpd::Observation const& now, double time) {

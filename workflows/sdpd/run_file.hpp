@@ -22,6 +22,9 @@ class RunFile {
   static RunFile continue_file(std::filesystem::path const& file, OutputUnits const& units,
                                sdpd::Observables observables);
 
+  /// The columns of `thermodynamics`, in their order.
+  static std::vector<std::string> column_names(OutputUnits const& units, sdpd::Observables observables);
+
   void append(sdpd::Observation const& now, double time);
   void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::uint64_t step);
 
@@ -55,7 +58,11 @@ class RunFile {
     std::string name;
     double value; ///< in the scene's units
   };
-  std::vector<Column> columns(sdpd::Observation const& now, double time) const;
+  static std::vector<Column> columns(OutputUnits const& units, sdpd::Observables observables,
+                                     sdpd::Observation const& now, double time);
+  std::vector<Column> columns(sdpd::Observation const& now, double time) const {
+    return columns(units_, observables_, now, time);
+  }
 
   Store store_;
   OutputUnits units_;

@@ -49,12 +49,9 @@ Plot against_size(SizeStudy const& study, SizeQuantity quantity, std::string con
                   .logarithmic = true,
                   .min = study.sizes.front() / 1.5,
                   .max = study.sizes.back() * 1.5},
-            .panels = {Panel{}},
-            .width = 560,
-            .height = 400};
+            .panels = {Panel{}}};
   auto& panel = plot.panels[0];
   panel.y.label = pressure ? "P [GPa]" : "rho [kg/m^3]";
-  panel.legend = Legend::top_right;
   panel.level_lines = {eos};
   for (Treatment const treatment : treatments)
     panel.series.push_back(points(study, kernel, treatment, pressure ? &FluidRun::P : &FluidRun::rho, eos));
@@ -81,7 +78,6 @@ Plot radial_distributions(SizeStudy const& study) {
             .x = {.label = "r [mean spacings]"},
             .panels = {Panel{}}};
   plot.panels[0].y.label = "g(r)";
-  plot.panels[0].legend = Legend::top_right;
   plot.panels[0].level_lines = {1};
   for (auto const& structure : study.structures)
     plot.panels[0].series.push_back({.label = structure.kernel,

@@ -177,7 +177,8 @@ Report size_study_report(SizeStudy const& study) {
                    target(study, "Internal temperature", &FluidRun::T_int, temperature_target),
                    target(study, "Kinetic temperature", &FluidRun::T_kin, temperature_target)},
       .sections = {},
-      .provenance = {}};
+      .provenance = {},
+      .sources = {"Dehnen and Aly 2012", "Faure 2017", "Faure et al. 2016", "Johnson et al. 1993"}};
   for (auto const& kernel : kernels_of(study))
     report.sections.push_back(kernel_section(study, kernel));
   report.sections.push_back({"Constants of the densities", {constants_table(study), elsewhere_table(study)}});

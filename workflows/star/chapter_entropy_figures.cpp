@@ -28,10 +28,9 @@ Series entropy_series(EntropyRoutes const& routes, std::string const& route, std
 } // namespace
 
 Plot entropy_figure(std::string const& name, Melts const& melts) {
-  auto plot = half_plot(name, "Entropy of a " + melts.front()->star.name() + " molecule", "U", "S(U)/k_B");
+  auto plot = framed_plot(name, "Entropy of a " + melts.front()->star.name() + " molecule", "U", "S(U)/k_B");
   plot.panels = {Panel{.y = {.label = "S(U)/k_B"}, .height = 1.5},
                  Panel{.y = {.label = "melt - vacuum"}, .legend = Legend::none, .level_lines = {0}}};
-  plot.height = 460; // for two panels
   auto const& first = melts.front()->entropy;
   double const zero = first.U_mean; // S is known but for a constant
   auto const S = [zero](cg::EntropyCurve const& c, double U) { return c.S(U) - c.S(zero); };
@@ -47,12 +46,11 @@ Plot entropy_figure(std::string const& name, Melts const& melts) {
     curves.push_back(std::move(curve));
     plot.panels[1].series.push_back(std::move(difference));
   }
-  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 
 Plot figure_3_7(Melts const& melts) {
-  auto plot = half_plot("fig37", "Temperature of a molecule", "U", "k_B T(U)");
+  auto plot = framed_plot("fig37", "Temperature of a molecule", "U", "k_B T(U)");
   auto& series = plot.panels[0].series;
   auto const T = [](cg::EntropyCurve const& c, double U) { return c.T(U); };
   int colour = 1;
@@ -70,15 +68,13 @@ Plot figure_3_7(Melts const& melts) {
     }
     series.push_back(std::move(thesis));
   }
-  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 
 Plot figure_3_8(Melts const& melts) {
   auto plot =
-      half_plot("fig38", "Heat capacity of a " + melts.front()->star.name() + " molecule", "rho", "C/k_B");
+      framed_plot("fig38", "Heat capacity of a " + melts.front()->star.name() + " molecule", "rho", "C/k_B");
   plot.x.min = 0, plot.x.max = highest_density;
-  plot.panels[0].legend = Legend::outside;
   struct Route {
     char const *name, *label;
   };
@@ -100,7 +96,8 @@ Plot figure_3_8(Melts const& melts) {
 }
 
 Plot heat_capacity_differences(Melts const& melts) {
-  auto plot = half_plot("fig38b", "Heat capacity: melt against vacuum", "rho", "C_{melt}/C_{vacuum} - 1 [%]");
+  auto plot =
+      framed_plot("fig38b", "Heat capacity: melt against vacuum", "rho", "C_{melt}/C_{vacuum} - 1 [%]");
   plot.x.min = 0, plot.x.max = highest_density;
   plot.panels[0].level_lines = {-5, 0, 5};              // the thesis's bounds
   plot.panels[0].y.min = -8, plot.panels[0].y.max = 12; // the legend stands above

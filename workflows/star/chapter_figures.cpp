@@ -22,7 +22,7 @@ std::vector<double> normalised(std::vector<double> values) {
 
 Plot scatter(std::string name, std::string title, std::string x, std::string y, std::vector<double> const& xs,
              std::vector<double> const& ys) {
-  auto plot = half_plot(std::move(name), std::move(title), std::move(x), std::move(y));
+  auto plot = framed_plot(std::move(name), std::move(title), std::move(x), std::move(y));
   plot.panels[0].legend = Legend::none;
   plot.panels[0].series = {
       {.label = "molecules", .x = normalised(xs), .y = normalised(ys), .y_error = {}, .colour = 0}};
@@ -32,7 +32,7 @@ Plot scatter(std::string name, std::string title, std::string x, std::string y, 
 } // namespace
 
 Plot figure_3_2(ChapterMelt const& melt) {
-  auto plot = half_plot("fig32", "Momentum of a molecule", "P_x", "P(P_x)");
+  auto plot = framed_plot("fig32", "Momentum of a molecule", "P_x", "P(P_x)");
   auto const& c = melt.correlations;
   auto maxwell = curve_of(fmt::format("Maxwellian, beta = {:.3f}", c.beta.mean), SeriesStyle::lines, 1);
   double const M = melt.star.atoms(), spread = std::sqrt(M / c.beta.mean);
@@ -43,12 +43,11 @@ Plot figure_3_2(ChapterMelt const& melt) {
   }
   plot.panels[0].series = {points_of(c.P_x, "melt", 0), maxwell};
   plot.panels[0].y.min = 0;
-  leave_room_for_legend(plot.panels[0]);
   return plot;
 }
 
 Plot figure_3_3(ChapterMelt const& melt) {
-  auto plot = half_plot("fig33", "Intrinsic energy of a molecule", "U", "P(U)");
+  auto plot = framed_plot("fig33", "Intrinsic energy of a molecule", "U", "P(U)");
   plot.panels[0].legend = Legend::none;
   plot.panels[0].series = {points_of(melt.correlations.P_U, "", 0)};
   return plot;
@@ -80,8 +79,7 @@ Plot figure_3_11(ChapterMelt const& melt) {
 }
 
 Plot figure_3_12(ChapterMelt const& melt) {
-  auto plot = half_plot("fig312", "Energy at a given local density", "local density", "<U>^rho/<U> - 1");
-  plot.panels[0].legend = Legend::top_right;
+  auto plot = framed_plot("fig312", "Energy at a given local density", "local density", "<U>^rho/<U> - 1");
   plot.panels[0].series = {points_of(melt.correlations.U_of_density, "U", 0),
                            points_of(melt.correlations.configurational.U_of_density, "configurational", 1)};
   plot.panels[0].level_lines = {0};

@@ -7,11 +7,9 @@ Plot radial_figure(std::string const& name, Melts const& melts) {
   Plot plot{.name = name,
             .title = "Centres of mass of " + melts.front()->star.name() + " molecules",
             .x = {.label = "r"},
-            .panels = {Panel{.y = {.label = "g, u"}, .height = 2, .legend = Legend::bottom_right},
+            .panels = {Panel{.y = {.label = "g, u"}, .height = 2},
                        Panel{.y = {.label = "u - g"}, .legend = Legend::none, .level_lines = {0}},
-                       Panel{.y = {.label = "configurational"}, .legend = Legend::none, .level_lines = {0}}},
-            .width = 760,
-            .height = 620};
+                       Panel{.y = {.label = "configurational"}, .legend = Legend::none, .level_lines = {0}}}};
   int colour = 0;
   for (auto const* const melt : melts) {
     auto const& c = melt->correlations;
@@ -32,13 +30,8 @@ Plot figure_3_10(ChapterMelt const& melt) {
   Plot plot{.name = "fig310",
             .title = "Energies of a pair of " + melt.star.name() + " molecules",
             .x = {.label = "r"},
-            .panels = {Panel{.y = {.label = "<U_1 U_2>^r/<U>^2"},
-                             .height = 2,
-                             .legend = Legend::top_right,
-                             .level_lines = {1}},
-                       Panel{.y = {.label = "g(r)"}, .legend = Legend::none}},
-            .width = 760,
-            .height = 460};
+            .panels = {Panel{.y = {.label = "<U_1 U_2>^r/<U>^2"}, .height = 2, .level_lines = {1}},
+                       Panel{.y = {.label = "g(r)"}, .legend = Legend::none}}};
   constexpr double shown = 7; // sigma; beyond it nothing is left
   auto const near = [](cg::Profile const& profile) {
     cg::Profile part;

@@ -222,7 +222,8 @@ Report chapter_report(Chapter const& chapter) {
           melt.run["molecules"].get<int>(), melt.run["time_sampled"].get<double>(), melt.rho),
       .verdicts = verdicts(chapter),
       .sections = {},
-      .provenance = {}};
+      .provenance = {},
+      .sources = {"Faure 2017", "Thompson et al. 2022", "Wolff 2004"}};
   report.sections = {momenta_section(melt), entropy_section(chapter), positions_section(chapter)};
   if (!larger_stars(chapter).empty())
     report.sections.push_back(larger_section(chapter));

@@ -5,13 +5,11 @@
 namespace mesobridge::workflows {
 
 /// One panel, half as wide as a page.
-Plot half_plot(std::string name, std::string title, std::string x, std::string y);
+Plot framed_plot(std::string name, std::string title, std::string x, std::string y);
 /// The estimates of a profile with their errors.
 Series points_of(cg::Profile const& profile, std::string label, int colour);
 /// Without its points yet.
 Series curve_of(std::string label, SeriesStyle style, int colour);
 std::string density_label(ChapterMelt const& melt);
-/// Raises the top of a panel by what a legend over rising curves takes.
-void leave_room_for_legend(Panel& panel);
 
 } // namespace mesobridge::workflows

@@ -79,7 +79,16 @@ std::set<double> sizes(TradeOff const& found) {
   return {found.plan.K.begin(), found.plan.K.end()};
 }
 
-/// A point for every trial that a logarithmic axis can show.
+/// A value as a logarithmic axis can show it: its size and error or, where it is not resolved, its upper
+/// limit with a bar that reaches zero.
+cg::Estimate on_logarithmic_axis(cg::Estimate const& value) {
+  double const size = std::abs(value.mean);
+  if (size > value.se)
+    return {size, value.se, value.n_eff};
+  return {size + value.se, size + value.se, value.n_eff};
+}
+
+/// A point for every trial that came to its end.
 template <class X, class Y>
 Plot over_trials(TradeOff const& found, double K, Plot plot, X const& x, Y const& y) {
   int colour = 0;
@@ -92,8 +101,8 @@ Plot over_trials(TradeOff const& found, double K, Plot plot, X const& x, Y const
       auto const& trial = configuration.trials[k];
       if (trial.failed())
         continue;
-      cg::Estimate const value = y(configuration, trial);
-      if (!(value.mean > value.se)) // not resolved: a logarithmic axis has no place for it
+      auto const value = on_logarithmic_axis(y(configuration, trial));
+      if (!(value.mean > 0)) // exactly zero has no place on the axis
         continue;
       series.x.push_back(x(trial, found.plan.dt[k]));
       series.y.push_back(value.mean), series.y_error.push_back(value.se);
@@ -110,7 +119,17 @@ Plot frame(std::string name, std::string title, std::string x, std::string y) {
             .x = {.label = std::move(x), .logarithmic = true},
             .panels = {Panel{}}};
   plot.panels[0].y = {.label = std::move(y), .logarithmic = true};
-  plot.panels[0].legend = Legend::outside;
+  return plot;
+}
+
+/// Points of several series at the same x, moved apart so that each is seen.
+Plot side_by_side(Plot plot) {
+  constexpr double apart = 0.025; // relative, on a logarithmic axis
+  auto& series = plot.panels[0].series;
+  double const middle = (static_cast<double>(series.size()) - 1) / 2;
+  for (std::size_t k = 0; k < series.size(); ++k)
+    for (double& x : series[k].x)
+      x *= 1 + apart * (static_cast<double>(k) - middle);
   return plot;
 }
 
@@ -200,19 +219,20 @@ Section size_section(TradeOff const& found, double K) {
     std::string const drift_axis = fmt::format("energy drift [1/{}]", time);
     return {over_trials(found, K, frame("pareto" + tag, "Drift against cost", cost_axis, drift_axis), cost,
                         drift),
-            over_trials(
+            side_by_side(over_trials(
                 found, K, frame("drift" + tag, "Drift against time step", "dt [reduced]", drift_axis),
-                [](auto const&, double dt) { return dt; }, drift),
+                [](auto const&, double dt) { return dt; }, drift)),
             over_trials(found, K,
                         frame("bias" + tag, "Error of the energies' distribution", cost_axis,
                               "distribution error (4.18)"),
                         cost, error)};
   };
-  return {
-      K > 0 ? fmt::format("Particles of size K = {:g}", K) : "Particles",
-      {figure_of(plots(), "Every point is a run; below and to the left is better. Points whose error reaches "
-                          "zero are left out."),
-       trial_table(found, K), limit_table(found, K)}};
+  return {K > 0 ? fmt::format("Particles of size K = {:g}", K) : "Particles",
+          {figure_of(plots(),
+                     "Every point is a run; below and to the left is better. What is not resolved stands at "
+                     "its upper limit, value and standard error, with a bar that goes down. Points of one "
+                     "time step stand side by side."),
+           trial_table(found, K), limit_table(found, K)}};
 }
 
 /// "K = 10: ", nothing for particles without sizes.
@@ -231,6 +251,17 @@ std::string target_text(Target const& target) {
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
+std::string settings_text(TradeOff const& found, double K, Recommendation const& choice) {
+  auto const& of = found.configurations[choice.configuration];
+  // Three digits, rounded down: a longer step was not recommended.
+  double const unit = std::pow(10, std::floor(std::log10(choice.dt)) - 2);
+  double const dt = std::floor(choice.dt / unit * (1 + 1e-12)) * unit;
+  auto text = fmt::format("--set scheme.name={} --set scheme.splitting={} --set scheme.conservative={} "
+                          "--set scheme.dt={:.3g}",
+                          of.scheme, of.splitting, of.integrator, dt);
+  return K > 0 ? text + fmt::format(" --set particles.K={:g}", K) : text;
+}
+
 std::string recommendation_text(TradeOff const& found, Target const& target) {
   std::string text;
   for (double const K : sizes(found)) {
@@ -244,6 +275,7 @@ std::string recommendation_text(TradeOff const& found, Target const& target) {
         "{}{}, dt = {:.2g} reduced ({:.3g} {}), {:.3g} us per particle and {}; limited by {}\n", size_text(K),
         short_name(found.configurations[choice->configuration]), choice->dt, choice->dt * units.ps,
         time_name(units), choice->us_per_particle_time / units.ps, time_name(units), choice->because);
+    text += fmt::format("  apply it with: {}\n", settings_text(found, K, *choice));
   }
   return text;
 }
@@ -277,7 +309,8 @@ Json trade_off_json(TradeOff const& found, Target const& target) {
              {"conservative", of.integrator},
              {"dt_reduced", choice->dt},
              {"us_per_particle_reduced_time", choice->us_per_particle_time},
-             {"limited_by", choice->because}};
+             {"limited_by", choice->because},
+             {"set", settings_text(found, K, *choice)}};
     if (K > 0)
       one["K"] = K;
     json["recommended"].push_back(std::move(one));
@@ -285,21 +318,41 @@ Json trade_off_json(TradeOff const& found, Target const& target) {
   return json;
 }
 
+namespace {
+
+Section recommendation_section(TradeOff const& found, Target const& target) {
+  Section section{"Recommended", {Paragraph{"For " + target_text(target) + ":"}}};
+  for (double const K : sizes(found)) {
+    auto const choice = recommend(found, K, target);
+    section.content.emplace_back(Paragraph{
+        size_text(K) + (choice ? fmt::format("{}, dt = {:.2g} reduced, limited by {}. Apply it with `{}`.",
+                                             short_name(found.configurations[choice->configuration]),
+                                             choice->dt, choice->because, settings_text(found, K, *choice))
+                               : "no scheme that was tried meets this target.")});
+  }
+  return section;
+}
+
+} // namespace
+
 Report trade_off_report(TradeOff const& found, Target const& target) {
   std::size_t failed = 0, all = 0;
   for (auto const& of : found.configurations)
     for (auto const& trial : of.trials)
       ++all, failed += trial.failed();
   bool const wished = target.drift || target.bias;
-  Report report{.title = "Cost against accuracy: " + found.scene.title,
-                .lead = fmt::format(
-                    "{} runs of {} particles over {:g} reduced units of time, of which {} could not "
-                    "go on.{}",
-                    all, found.scene.particles.N, found.plan.time, failed,
-                    wished ? " For " + target_text(target) + ": " + recommendation_text(found, target) : ""),
-                .verdicts = {},
-                .sections = {},
-                .provenance = {}};
+  Report report{
+      .title = "Cost against accuracy: " + found.scene.title,
+      .lead = fmt::format("{} runs of {} particles over {:g} reduced units of time, of which {} could not "
+                          "go on.",
+                          all, found.scene.particles.N, found.plan.time, failed),
+      .verdicts = {},
+      .sections = {},
+      .provenance = {}};
+  if (found.scene.scheme.name == "ssa" || found.scene.is_sdpd())
+    report.sources = {"Faure 2017", "Shardlow 2003"};
+  if (wished)
+    report.sections.push_back(recommendation_section(found, target));
   for (double const K : sizes(found))
     report.sections.push_back(size_section(found, K));
   if (!found.scene.has_energies())

@@ -13,7 +13,10 @@ Report trade_off_report(TradeOff const& found, Target const& target);
 /// "drift 1e-06 per reduced time": what was wished.
 std::string target_text(Target const& target);
 
-/// The recommendation for each size in words, one a line.
+/// What applies a recommendation to the scene: "--set scheme.name=ssa ... --set scheme.dt=0.25".
+std::string settings_text(TradeOff const& found, double K, Recommendation const& choice);
+
+/// The recommendation for each size in words and, on a line of its own, what applies it.
 std::string recommendation_text(TradeOff const& found, Target const& target);
 
 } // namespace mesobridge::workflows

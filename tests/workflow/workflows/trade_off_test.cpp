@@ -6,6 +6,8 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <sstream>
 
 // Cost against accuracy as its users study it: trade-off, automatic time steps, reproductions.
 
@@ -42,6 +44,11 @@ std::vector<std::string> study(ScratchDirectory const& scratch, std::vector<std:
   return words;
 }
 
+std::vector<std::string> words_of(std::string const& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
 TEST(TradeOffCommand, MeasuresRecommendsAndGoesOnWhereItStopped) {
   ScratchDirectory const scratch;
   auto const first = program(study(scratch, {"--no-limit"}));
@@ -66,6 +73,16 @@ TEST(TradeOffCommand, MeasuresRecommendsAndGoesOnWhereItStopped) {
   ASSERT_EQ(json["recommended"].size(), 1u);
   EXPECT_GT(json["recommended"][0]["dt_reduced"], 0.05);
   EXPECT_LT(json["recommended"][0]["dt_reduced"], 0.8);
+  // What is printed to apply it does so.
+  auto words = words_of(json["recommended"][0]["set"].get<std::string>());
+  EXPECT_EQ(words.size(), 10u) << "scheme, splitting, conservative, dt and K";
+  words.insert(words.begin(), {"check", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml"});
+  auto const checked = program(words);
+  ASSERT_EQ(checked.status, 0) << checked.errors;
+  EXPECT_NE(
+      checked.output.find(fmt::format("name = \"{}\"", json["recommended"][0]["scheme"].get<std::string>())),
+      std::string::npos)
+      << checked.output;
   EXPECT_NE(read_text_file(scratch / "study" / "report.html").find("<svg"), std::string::npos);
   // What is stored is not run again; a trial that is missing is, and comes out the same but for its times.
   auto const one = scratch / "study" / "trials" / "K10-ems-lie-trotter-verlet-dt0.2.json";
