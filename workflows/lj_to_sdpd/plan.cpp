@@ -6,19 +6,19 @@ namespace {
 
 /// Steps of the kinds of runs. The thesis took 5e5 steps of 1000 particles.
 struct Lengths {
-  std::int64_t equilibrate, fluid, ideal, drift;
+  std::int64_t calibrate, equilibrate, fluid, ideal, drift;
 };
 
 Lengths lengths(md::Preset preset) {
   switch (preset) {
   case md::Preset::quick:
-    return {1000, 3600, 2400, 1600};
+    return {2400, 1000, 3600, 2400, 1600};
   case md::Preset::standard:
-    return {10000, 60000, 60000, 20000};
+    return {20000, 10000, 60000, 60000, 20000};
   case md::Preset::paper:
     break;
   }
-  return {50000, 500000, 500000, 100000};
+  return {100000, 50000, 500000, 500000, 100000};
 }
 
 Scene base(double K, double dt, std::int64_t seed) {
@@ -33,6 +33,20 @@ Scene base(double K, double dt, std::int64_t seed) {
   scene.run.checkpoint_every = 0;
   scene.run.seed = seed;
   return scene;
+}
+
+/// A kernel without pairing, and densities whose constants make the fluid's pressure and mean density those
+/// of its equation of state.
+void calibrate_densities(Scene& scene, std::int64_t steps) {
+  scene.particles.kernel = "wendland-c2";
+  scene.particles.density = "calibrated";
+  scene.particles.calibration_steps = steps;
+}
+
+/// The drift's printed laws are those of the cubic kernel and of plain densities.
+void take_plain_densities(Scene& scene) {
+  scene.particles.kernel = "cubic";
+  scene.particles.density = "plain";
 }
 
 Scene ideal_gas(double K, double dt, std::int64_t seed) {
@@ -52,6 +66,7 @@ SdpdPlan sdpd_plan(md::Preset preset, std::filesystem::path const& model, std::i
     // Small particles are fast and have small heat capacities: they need the thesis's short step.
     Scene scene = base(K, K < 50 ? 0.03 : K < 1000 ? 0.06 : 0.1, seed);
     scene.fluid.eos = eos;
+    calibrate_densities(scene, steps.calibrate);
     scene.title = fmt::format("Lennard-Jones argon ({}), K = {:g}", label, K);
     // The structure of large, hardly fluctuating particles takes longer to settle.
     scene.run.equilibrate = (K < 1000 ? 1 : K < 10000 ? 2 : 4) * steps.equilibrate;
@@ -66,6 +81,7 @@ SdpdPlan sdpd_plan(md::Preset preset, std::filesystem::path const& model, std::i
   plan.published.push_back({"published-K100", fluid(100, "argon", "published")});
   for (double const K : {10.0, 100.0}) {
     Scene scene = ideal_gas(K, K < 50 ? 0.04 : 0.1, seed);
+    calibrate_densities(scene, steps.calibrate);
     scene.run.equilibrate = steps.equilibrate;
     scene.run.steps = steps.ideal;
     plan.ideal.push_back({fmt::format("ideal-K{:g}", K), scene});
@@ -78,6 +94,7 @@ SdpdPlan sdpd_plan(md::Preset preset, std::filesystem::path const& model, std::i
                                Row{100, {0.3, 0.35, 0.4, 0.45, 0.5}}})
     for (double const dt : dts) {
       Scene scene = ideal_gas(K, dt, seed);
+      take_plain_densities(scene);
       scene.run.equilibrate = steps.drift / 4;
       scene.run.steps = steps.drift;
       plan.drift.push_back({fmt::format("drift-K{:g}-dt{:g}", K, dt), scene});
