@@ -1,6 +1,7 @@
 #define OMPI_SKIP_MPICXX 1
 #define LAMMPS_LIB_MPI
 #include "md/lammps_session.hpp"
+#include "md/lammps_name.hpp"
 #include <array>
 #include <lammps/library.h>
 #include <set>
@@ -47,6 +48,13 @@ void* open_lammps(Ranks ranks) {
   return lammps;
 }
 
+/// A message as it would be if LAMMPS knew the file by its path.
+std::string with_path(std::string message, std::string const& name, std::string const& path) {
+  for (std::size_t at = 0; (at = message.find(name, at)) != std::string::npos; at += path.size())
+    message.replace(at, name.size(), path);
+  return message;
+}
+
 } // namespace
 
 struct LammpsSession::Handle {
@@ -79,12 +87,9 @@ auto LammpsSession::guarded(std::string const& doing, Call&& call) {
 
 LammpsSession::LammpsSession(MpiWorld const&, Ranks ranks, std::filesystem::path const& log_file, Log log)
     : handle_(std::make_unique<Handle>()) {
-  std::string const path = log_file.string();
-  require(!path.empty() && path.find('"') == std::string::npos, "LAMMPS log file", path,
-          "must be a path without quotation marks");
   handle_->ranks = ranks;
   guarded("start", [&](void*) { handle_->lammps = open_lammps(ranks); });
-  command("log \"{}\"{}", path, log == Log::append ? " append" : "");
+  command_with_file("log", log_file, log == Log::append ? "append" : "");
 }
 
 LammpsSession::~LammpsSession() = default;
@@ -93,6 +98,16 @@ LammpsSession& LammpsSession::operator=(LammpsSession&&) noexcept = default;
 
 void LammpsSession::command(std::string const& text) {
   guarded(text, [&](void* lammps) { lammps_command(lammps, text.c_str()); });
+}
+
+void LammpsSession::command_with_file(std::string const& words, std::filesystem::path const& file,
+                                      std::string const& more) {
+  LammpsName const name(file);
+  try {
+    command(fmt::format("{} \"{}\"{}{}", words, name.text(), more.empty() ? "" : " ", more));
+  } catch (LammpsError const& error) {
+    throw LammpsError(with_path(error.what(), name.text(), file.string()));
+  }
 }
 
 double LammpsSession::thermo(std::string const& keyword) {

@@ -53,6 +53,10 @@ class LammpsSession {
     command(fmt::format(format, args...));
   }
 
+  /// A command that names a file, given by its path whatever characters that has: "words FILE more".
+  void command_with_file(std::string const& words, std::filesystem::path const& file,
+                         std::string const& more = "");
+
   /// A keyword of LAMMPS's `thermo_style` as of the last step: "temp", "pe", "press", "vol" ... All ranks
   /// must ask.
   double thermo(std::string const& keyword);

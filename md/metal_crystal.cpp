@@ -77,9 +77,9 @@ void CrystalBlock::create(LammpsSession& lammps, MetalPotential const& potential
   auto const fast = potential.style + "/opt";
   lammps.command("pair_style {}", lammps.has_style("pair", fast) ? fast : potential.style);
   if (potential.style == "eam")
-    lammps.command("pair_coeff 1 1 \"{}\"", potential.file.string());
+    lammps.command_with_file("pair_coeff 1 1", potential.file);
   else
-    lammps.command("pair_coeff * * \"{}\" {}", potential.file.string(), potential.element);
+    lammps.command_with_file("pair_coeff * *", potential.file, potential.element);
   lammps.command("mass 1 {}", potential.mass / atomic_mass);
   lammps.command("neighbor 0.5 bin");
   lammps.command("neigh_modify every 2 delay 0 check yes");

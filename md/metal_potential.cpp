@@ -24,8 +24,7 @@ constexpr char const* symbols[] = {
     "Tl", "Pb", "Bi", "Po", "At", "Rn", "Fr", "Ra", "Ac", "Th", "Pa", "U",  "Np", "Pu", "Am"};
 
 std::filesystem::path find(std::string const& file) {
-  require(!file.empty() && file.find('"') == std::string::npos, "potential", file,
-          "must be the name of a file, without quotation marks");
+  require(!file.empty(), "potential", file, "must be the name of a file");
   std::vector<std::filesystem::path> places{file};
   if (!std::filesystem::path(file).is_absolute()) {
     if (char const* const folder = std::getenv("LAMMPS_POTENTIALS"))

@@ -2,6 +2,7 @@
 #define OMPI_SKIP_MPICXX 1
 #include "md/mpi_world.hpp"
 #include "md/error.hpp"
+#include "md/rank_launcher.hpp"
 #include <chrono>
 #include <cstdlib>
 #include <mpi.h>
@@ -29,6 +30,8 @@ MpiWorld::MpiWorld() {
   if (finalised)
     throw EnvironmentError("MPI has already been finalised in this process and cannot start again");
   if (!started) {
+    if (!already_on_ranks()) // alone it shares nothing: no files of shared memory, which limits may forbid
+      setenv("PMIX_MCA_gds", "hash", 0);
     if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS)
       throw EnvironmentError("MPI could not be started");
     std::atexit(finalise_at_exit);

@@ -11,6 +11,8 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,7 +55,19 @@ std::vector<std::string> variables_for_ranks() {
   for (int descriptor : {1, 2})
     terminals += isatty(descriptor) ? std::to_string(descriptor) : "";
   result.push_back(fmt::format("{}={}", terminal_variable, terminals));
+  if (winsize size{}; ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    result.push_back(fmt::format("COLUMNS={}", size.ws_col));
   return result;
+}
+
+/// Ranks meet in files of shared memory, and end without a word where these must not grow.
+void require_room_for_shared_files() {
+  constexpr rlim_t needed = 8 << 20;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < needed)
+    throw EnvironmentError(fmt::format("MPI ranks share files of up to {} MB, and the limit of file sizes "
+                                       "(ulimit -f) is {} kB: raise it, or run on one rank (--ranks 1)",
+                                       needed >> 20, limit.rlim_cur / 1024));
 }
 
 /// While it lives, SIGINT and SIGTERM wait to be collected instead of ending this process.
@@ -133,6 +147,7 @@ int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
   require(ranks >= 1, "ranks", ranks, "must be at least 1");
   require(!argv.empty(), "program to start on ranks", "", "must be given");
   auto const command = mpirun_command(find_program("mpirun"), ranks, argv);
+  require_room_for_shared_files();
   HeldSignals const signals;
   pid_t const child = start_child(
       command,
@@ -141,7 +156,10 @@ int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
   auto const [status, interrupted] = wait_for(child, signals);
   if (interrupted)
     return 130;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  int const code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (code == 128 + SIGXFSZ)
+    throw EnvironmentError("a file has come to the limit of file sizes (ulimit -f)");
+  return code;
 }
 
 } // namespace mesobridge::md

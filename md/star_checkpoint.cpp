@@ -1,12 +1,33 @@
 #include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
+#include <fstream>
+#include <string_view>
 
 namespace mesobridge::md {
+namespace {
+
+/// LAMMPS does not look at the last write of a file, so a full disk may cut a checkpoint short without a
+/// word. Every restart file ends in this text.
+void require_whole(std::filesystem::path const& file) {
+  constexpr std::string_view end = "LammpS RestartT";
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(-static_cast<std::streamoff>(end.size() + 1), std::ios::end); // a zero follows
+  std::string found(end.size(), ' ');
+  if (!in.read(found.data(), static_cast<std::streamsize>(found.size())) || found != end)
+    throw EnvironmentError(
+        fmt::format("the checkpoint '{}' could not be written whole: the disk is full, or a "
+                    "limit of file sizes (ulimit -f) is reached; the last one is kept",
+                    file.string()));
+}
+
+} // namespace
 
 void write_checkpoint(MpiWorld const& world, LammpsSession& lammps, std::filesystem::path const& file,
                       std::function<void()> const& before_it_counts) {
   auto const fresh = file.string() + ".new";
-  lammps.command("write_restart \"{}\"", fresh);
+  lammps.command_with_file("write_restart", fresh);
+  if (world.is_root())
+    require_whole(fresh);
   if (before_it_counts)
     before_it_counts();
   world.barrier();
@@ -24,7 +45,7 @@ std::int64_t step_to_begin_at(MpiWorld const& world, StarPolymer const& star,
     return 0;
   LammpsSession lammps(world, Ranks::all, log, Log::append);
   prepare_for_stars(lammps, star);
-  lammps.command("read_restart \"{}\"", file.string());
+  lammps.command_with_file("read_restart", file);
   return lammps.step();
 }
 

@@ -57,7 +57,7 @@ class Stretch {
     if (stretch_.first_step == 0)
       create_stars(world_, lammps_, lattice_of(settings_), settings_.directory / "star-melt.data");
     else
-      lammps_.command("read_restart \"{}\"", settings_.restart_file().string());
+      lammps_.command_with_file("read_restart", settings_.restart_file());
     set_star_forces(lammps_, settings_.star);
     lammps_.command("timestep {}", settings_.dt);
     lammps_.command("thermo {}", stretch_.phase == MeltPhase::sample ? settings_.sample_every : 10 * piece);

@@ -97,7 +97,7 @@ void create_stars(MpiWorld const& world, LammpsSession& lammps, StarLattice cons
   if (world.is_root())
     write_data_file(lattice, data_file);
   world.barrier();
-  lammps.command("read_data \"{}\"", data_file.string());
+  lammps.command_with_file("read_data", data_file);
   world.barrier();
   if (world.is_root())
     std::filesystem::remove(data_file);

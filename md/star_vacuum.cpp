@@ -103,7 +103,7 @@ class VacuumStretch {
                                 .seed = settings_.seed};
       create_stars(world_, lammps_, lattice, settings_.directory / (settings_.stem() + ".data"));
     } else {
-      lammps_.command("read_restart \"{}\"", settings_.restart_file().string());
+      lammps_.command_with_file("read_restart", settings_.restart_file());
     }
     set_star_forces(lammps_, settings_.star);
     lammps_.command("neigh_modify binsize {}", bin_size);

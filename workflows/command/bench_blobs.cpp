@@ -36,7 +36,7 @@ double seconds_of(std::function<void()> const& work) {
 md::LammpsSession moving(md::MpiWorld const& world, md::StarMeltSettings const& settings, bool tallies) {
   md::LammpsSession lammps(world, md::Ranks::all, settings.log_file(), md::Log::append);
   md::prepare_for_stars(lammps, settings.star);
-  lammps.command("read_restart \"{}\"", settings.restart_file().string());
+  lammps.command_with_file("read_restart", settings.restart_file());
   md::set_star_forces(lammps, settings.star);
   if (!tallies)
     lammps.command("thermo_style custom step temp");

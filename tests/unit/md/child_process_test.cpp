@@ -1,5 +1,6 @@
 #include "md/child_process.hpp"
 #include "md/error.hpp"
+#include "tests/unit/md/scratch_folder.hpp"
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -57,7 +58,8 @@ TEST(ChildProcess, IsNoPartOfThisMpiWorldAndLeadsAGroupOfItsOwn) {
 }
 
 TEST(ChildProcess, ThatCannotBeExecutedSaysSoByItsCode) {
-  pid_t const child = start_child({"/nonexistent/program"}, {});
+  ScratchFolder const empty;
+  pid_t const child = start_child({(empty.path() / "program").string()}, {});
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 127);

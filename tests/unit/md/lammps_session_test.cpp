@@ -49,7 +49,7 @@ TEST_F(LammpsSessionTest, ErrorsAreExceptionsWithLammpssOwnTextAndTheProcessLive
   for (Case const& c : {Case{"bogus 1", "Unknown command: bogus 1"},
                         Case{"pair_style nonesuch 2.5", "Unrecognized pair style 'nonesuch'"},
                         Case{"run 10", "Run command before simulation box is defined"},
-                        Case{"read_data /nonexistent/file", "Cannot open file /nonexistent/file"}}) {
+                        Case{"read_data /dev/null/file", "Cannot open file /dev/null/file"}}) {
     auto lammps = session();
     auto const text = text_of_error([&] { lammps.command(c.command); });
     EXPECT_NE(text.find(c.text), std::string::npos) << text;
@@ -71,7 +71,7 @@ TEST_F(LammpsSessionTest, LostAtomsOfAnUnstableRunAreAnException) {
 }
 
 TEST_F(LammpsSessionTest, ALogThatCannotBeWrittenIsAnException) {
-  auto const text = text_of_error([&] { LammpsSession(world_, Ranks::own, "/nonexistent/lammps.log"); });
+  auto const text = text_of_error([&] { LammpsSession(world_, Ranks::own, "/dev/null/lammps.log"); });
   EXPECT_NE(text.find("Cannot open logfile"), std::string::npos) << text;
   EXPECT_THROW(LammpsSession(world_, Ranks::own, "a\"b"), InputError);
 }

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "md/rank_launcher.hpp"
+#include "tests/unit/md/scratch_folder.hpp"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -71,7 +72,8 @@ TEST(RankLauncher, AnInterruptReachesTheRanksAndGivesThemTimeToEnd) {
 
 TEST(RankLauncher, AMissingMpirunIsAClearError) {
   std::string const path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
+  ScratchFolder const empty;
+  setenv("PATH", empty.path().c_str(), 1);
   try {
     on_ranks(2, "exit 0");
     ADD_FAILURE() << "no error";
