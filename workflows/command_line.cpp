@@ -1,9 +1,11 @@
 #include "workflows/command_line.hpp"
 #include "md/error.hpp"
+#include "workflows/help.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
+#include "workflows/terminal.hpp"
 #include "workflows/version.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -21,18 +23,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string overview(std::vector<Command> const& commands) {
-  std::size_t width = 0;
-  for (auto const& command : commands)
-    width = std::max(width, command.name.size());
-  std::string text = "mesobridge: from molecular dynamics to mesoscopic models, in one chain\n\n"
-                     "Usage: mesobridge COMMAND [OPTIONS]\n\nCommands:\n";
-  for (auto const& command : commands)
-    text += fmt::format("  {:<{}}  {}\n", command.name, width, command.summary);
-  return text +
-         "\n`mesobridge COMMAND --help` explains a command and shows an example; `mesobridge --version`.\n";
-}
-
 Words names_of(std::vector<Command> const& commands) {
   Words names;
   for (auto const& command : commands)
@@ -48,7 +38,8 @@ Words names_of(std::vector<Command> const& commands) {
       in_group.push_back(command.name);
   bool const bare_group = !in_group.empty() && (arguments.size() == 1 || arguments[1].starts_with("-"));
   if (bare_group)
-    throw InputError(fmt::format("'{}' needs one of: {}", first, fmt::join(in_group, ", ")));
+    throw InputError(fmt::format("'{0}' needs one of: {1}; `mesobridge {0} --help` explains them", first,
+                                 fmt::join(in_group, ", ")));
   auto const two_words = arguments.size() > 1 ? first + " " + arguments[1] : first;
   auto names = names_of(commands);
   auto hint = did_you_mean(two_words, names);
@@ -115,19 +106,19 @@ void print_text(std::string const& text) {
 }
 
 /// Parses the words after the command's name; returns false when the user asked for help, which was printed.
-bool parse(CLI::App& app, Words words, std::string const& command) {
+bool parse(CLI::App& app, Words words, Command const& command) {
   app.allow_extras();                       // so that a misspelt option gets our message with the nearest one
   std::reverse(words.begin(), words.end()); // CLI11 takes its words from the back
   try {
     app.parse(words);
   } catch (CLI::CallForHelp const&) {
-    print_text(app.help());
+    print_text(command_help(command, app, columns_of(1)));
     return false;
   } catch (CLI::ParseError const& error) {
-    refuse_unknown_words(app, command);
-    throw InputError(command + ": " + error.what());
+    refuse_unknown_words(app, command.name);
+    throw InputError(command.name + ": " + error.what());
   }
-  refuse_unknown_words(app, command);
+  refuse_unknown_words(app, command.name);
   return true;
 }
 
@@ -160,24 +151,55 @@ Context make_context(CommonOptions const& options, Words const& arguments) {
   return {.options = options, .arguments = arguments, .log = std::move(log), .reports = open_reports()};
 }
 
+Command::Action declare(Command const& command, CLI::App& app, CommonOptions& options) {
+  app.option_defaults()->always_capture_default(); // the help shows them
+  app.set_help_flag("-h,--help", "Print this and end")->group("Common options");
+  auto action = command.declare(app);
+  add_common_options(app, options);
+  return action;
+}
+
+/// What help is wanted of: the words after "help", or those before a --help that ask for a whole group.
+std::optional<Words> words_after_help(Words const& arguments) {
+  auto is_flag = [](std::string const& word) { return word == "--help" || word == "-h"; };
+  if (is_flag(arguments[0]) || arguments[0] == "help")
+    return Words(arguments.begin() + 1, arguments.end());
+  if (arguments.size() == 2 && is_flag(arguments[1]))
+    return Words{arguments[0]};
+  return std::nullopt;
+}
+
+void help(Words const& words, std::vector<Command> const& commands) {
+  if (words.empty())
+    return print_text(overview(commands, columns_of(1)));
+  auto const group = group_overview(words[0], commands, columns_of(1));
+  if (words.size() == 1 && !group.empty())
+    return print_text(group);
+  auto const [command, length] = find_command(words, commands);
+  if (length < words.size())
+    throw InputError(
+        fmt::format("help: unexpected argument '{}' after the command '{}'", words[length], command->name));
+  CLI::App app;
+  CommonOptions options;
+  declare(*command, app, options);
+  print_text(command_help(*command, app, columns_of(1)));
+}
+
 void run(Words const& arguments, std::vector<Command> const& commands) {
   if (arguments.empty())
-    throw InputError("which command?\n\n" + overview(commands));
-  if (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help")
-    return print_text(overview(commands));
+    throw InputError("which command?\n\n" + overview(commands, columns_of(2)));
+  if (auto const asked = words_after_help(arguments))
+    return help(*asked, commands);
   if (arguments[0] == "--version")
     return print_text(fmt::format("mesobridge {} ({})", version(), git_commit()));
   if (arguments[0].starts_with("-"))
     throw InputError(fmt::format("'{}': the command comes first, its options after it", arguments[0]));
 
   auto const [command, words] = find_command(arguments, commands);
-  CLI::App app(command->summary, "mesobridge " + command->name);
-  app.footer("Example:\n  " + command->example);
+  CLI::App app;
   CommonOptions options;
-  app.option_defaults()->always_capture_default(); // the help shows them
-  auto const action = command->declare(app);
-  add_common_options(app, options);
-  if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, command->name))
+  auto const action = declare(*command, app, options);
+  if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, *command))
     return;
   if (options.threads)
     omp_set_num_threads(*options.threads);
@@ -201,6 +223,10 @@ Failure describe(std::exception_ptr error) {
     return {interrupted, e.what()};
   } catch (std::bad_alloc const&) {
     return {bad_environment, "not enough memory"};
+  } catch (std::length_error const&) {
+    return {bad_environment, "not enough memory: more than can be addressed was asked for"};
+  } catch (Json::exception const& e) {
+    return {bad_environment, fmt::format("a JSON file or text is damaged: {}", e.what())};
   } catch (std::exception const& e) {
     return {bad_environment, fmt::format("unexpected failure: {}", e.what())};
   } catch (...) {

@@ -1,6 +1,7 @@
 #include "workflows/progress.hpp"
 #include "md/error.hpp"
 #include "md/rank_launcher.hpp"
+#include "workflows/terminal.hpp"
 #include <algorithm>
 #include <ostream>
 #include <utility>
@@ -12,7 +13,7 @@ namespace {
 constexpr auto bar_interval = std::chrono::milliseconds(100);
 constexpr auto line_interval = std::chrono::seconds(10);
 constexpr auto report_interval = std::chrono::seconds(1);
-constexpr int bar_width = 30;
+constexpr std::size_t widest_bar = 30, narrowest_bar = 10, shortest_title = 12;
 constexpr char const* erase_line = "\r\033[K";
 
 Progress::Clock::duration interval_of(Progress::Style style) {
@@ -26,9 +27,33 @@ Progress::Clock::duration interval_of(Progress::Style style) {
   }
 }
 
+/// One line of the terminal, whose last column stays free. What there is no room for gives way in turn: the
+/// end of the note, of the title, the bar's length, the bar, and all but the share.
+std::string bar_text(std::string const& whole_title, double fraction, std::string const& left,
+                     std::string const& note, std::size_t columns) {
+  std::size_t const room = std::max<std::size_t>(columns, 2) - 1;
+  std::string const share = fmt::format("{:3.0f} % · {}", 100 * fraction, left);
+  constexpr std::size_t frame = 4; // " [" and "] "
+  auto const fixed = display_width(share) + frame;
+  auto const title = fitted(whole_title, std::max(shortest_title, room - std::min(room, fixed + widest_bar)));
+  auto const taken = display_width(title) + fixed;
+  if (taken + narrowest_bar > room)
+    return fitted(fitted(whole_title, room - std::min(room, display_width(share) + 1)) + " " + share, room);
+  auto const length = std::min(widest_bar, room - taken);
+  auto const filled = static_cast<std::size_t>(fraction * static_cast<double>(length));
+  auto const line =
+      fmt::format("{} [{}{}] {}", title, std::string(filled, '#'), std::string(length - filled, '.'), share);
+  return fitted(note.empty() ? line : line + " · " + note, room);
+}
+
 } // namespace
 
 std::string duration_text(double seconds) {
+  constexpr double day = 86400, year = 365.25 * day;
+  if (seconds >= 2 * year)
+    return fmt::format("{:.3g} years", seconds / year);
+  if (seconds >= 3 * day)
+    return fmt::format("{:.0f} days", seconds / day);
   auto const s = static_cast<long>(seconds + 0.5);
   if (s < 60)
     return fmt::format("{} s", s);
@@ -72,19 +97,13 @@ std::string Progress::left(Clock::time_point now, double done) const {
 
 void Progress::draw(Clock::time_point now, double done, std::string const& note) {
   double const fraction = std::clamp(done / total_, 0.0, 1.0);
-  if (style_ == Style::reports) {
-    *out_ << fmt::format("{:.6f}\n", fraction) << std::flush;
-    return;
-  }
-  auto const tail = note.empty() ? "" : " · " + note;
-  if (style_ == Style::bar) {
-    auto const filled = static_cast<std::size_t>(fraction * bar_width);
-    *out_ << erase_line
-          << fmt::format("{} [{}{}] {:3.0f} % · {}{}", title_, std::string(filled, '#'),
-                         std::string(bar_width - filled, '.'), 100 * fraction, left(now, done), tail);
-  } else {
-    *out_ << fmt::format("{}: {:.0f} % · {}{}\n", title_, 100 * fraction, left(now, done), tail);
-  }
+  if (style_ == Style::reports)
+    *out_ << fmt::format("{:.6f}\n", fraction);
+  else if (style_ == Style::bar)
+    *out_ << erase_line << bar_text(title_, fraction, left(now, done), note, columns_of(2));
+  else
+    *out_ << fmt::format("{}: {:.0f} % · {}{}\n", title_, 100 * fraction, left(now, done),
+                         note.empty() ? "" : " · " + note);
   *out_ << std::flush;
 }
 

@@ -26,7 +26,7 @@ void put(Json& object, std::string const& key, cg::Estimate const& estimate) {
 
 std::string checked_dump(Json const& value) {
   refuse_non_finite(value, "");
-  return value.dump(2);
+  return value.dump(2, ' ', false, Json::error_handler_t::replace); // a byte that is no text becomes U+FFFD
 }
 
 void write_summary(std::filesystem::path const& file, Json const& value) {

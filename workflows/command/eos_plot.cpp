@@ -118,7 +118,7 @@ Command eos_plot_command() {
         auto options = std::make_shared<Options>();
         app.add_option("--model", options->models, "Names of `eos list`, or models' files")
             ->required()
-            ->type_name("NAME|FILE ...");
+            ->type_name("NAME|FILE");
         app.add_option("--T", options->isotherms, "Temperatures of isotherms (SI: K)");
         app.add_option("--rho0", options->rho0, "Hugoniot and isentrope start at this density (SI: kg/m^3)");
         app.add_option("--T0", options->T0, "and this temperature (SI: K)");

@@ -1,10 +1,10 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/sample_melt.hpp"
-#include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -49,7 +49,7 @@ Result star_melt(Options const& options, Context const& context) {
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
     return {.json = {}, .text = "", .complaint = "", .silent = true};
   Result result;
-  result.json = Json::parse(read_text_file(job.summary()));
+  result.json = read_json(job.summary());
   result.text = melt_text(result.json);
   return result;
 }

@@ -1,7 +1,7 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/json_file.hpp"
 #include "workflows/star/sample_vacuum.hpp"
-#include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -46,7 +46,7 @@ Result star_vacuum(Options const& options, Context const& context) {
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
     return {.json = {}, .text = "", .complaint = "", .silent = true};
   Result result;
-  result.json = Json::parse(read_text_file(job.summary()));
+  result.json = read_json(job.summary());
   result.text = text_of(result.json);
   return result;
 }

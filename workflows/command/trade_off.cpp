@@ -118,8 +118,9 @@ Command trade_off_command() {
       .declare = [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         auto& plan = options->plan;
-        app.add_option("scene", options->scene, "scene file (TOML)")->required();
-        app.add_option("--set", options->set, "override a key of the scene: section.key=value; repeatable")
+        app.add_option("scene", options->scene, "The scene file")->required()->type_name("SCENE.toml");
+        app.add_option("--set", options->set, "Override a key of the scene: section.key=value; repeatable")
+            ->type_name("KEY=VALUE")
             ->expected(1)
             ->take_all();
         app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
@@ -134,8 +135,9 @@ Command trade_off_command() {
         app.add_option("--time", plan.time, "reduced time that each run samples")
             ->check(CLI::Range(20., 1e7));
         app.add_option("--particles", plan.particles, "of a run, at least")->check(CLI::Range(125, 1000000));
-        app.add_option("--drift", options->drift, "wanted energy drift, such as 1e-6/ps");
-        app.add_option("--bias", options->bias, "wanted bias of T_kin, T_int and P, such as 0.5%");
+        app.add_option("--drift", options->drift, "Wanted energy drift, such as 1e-6/ps")->type_name("RATE");
+        app.add_option("--bias", options->bias, "Wanted bias of T_kin, T_int and P, such as 0.5%")
+            ->type_name("SHARE");
         app.add_flag("--no-limit", options->no_limit, "do not search for the largest stable time steps");
         return [options](Context& context) { return run(*options, context); };
       }};

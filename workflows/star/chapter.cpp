@@ -1,8 +1,8 @@
 #include "workflows/star/chapter.hpp"
 #include "cg/too_short.hpp"
+#include "workflows/json_file.hpp"
 #include "workflows/star/chapter_runs.hpp"
 #include "workflows/summary.hpp"
-#include "workflows/text_file.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -101,7 +101,7 @@ ChapterMelt analysed(MeltJob const& job, BlobData const& canonical, BlobData con
           .rho = job.settings.rho,
           .correlations = cg::correlations(series, how),
           .entropy = std::move(entropy),
-          .run = Json::parse(read_text_file(job.summary()))};
+          .run = read_json(job.summary())};
 }
 
 /// The melts that are analysed already, by the places of their molecule and of themselves in the plan.

@@ -1,0 +1,17 @@
+#pragma once
+#include "workflows/command.hpp"
+
+namespace mesobridge::workflows {
+
+/// All commands with their summaries, in lines of at most so many columns.
+std::string overview(std::vector<Command> const& commands, std::size_t columns);
+
+/// The commands of a group ("fit"), with summaries and examples; empty when there are none.
+std::string group_overview(std::string const& group, std::vector<Command> const& commands,
+                           std::size_t columns);
+
+/// A command's arguments and options as declared in `app`, with what they allow, their defaults, and an
+/// example.
+std::string command_help(Command const& command, CLI::App const& app, std::size_t columns);
+
+} // namespace mesobridge::workflows
