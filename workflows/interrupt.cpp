@@ -1,22 +1,38 @@
 #include "workflows/interrupt.hpp"
 #include "md/error.hpp"
+#include "workflows/progress.hpp"
 #include <csignal>
+#include <cstdlib>
+#include <string_view>
+#include <unistd.h>
 
 namespace mesobridge::workflows {
 
 namespace {
 
+constexpr int interrupted_code = 130; ///< the exit code of an interruption
+
 // A signal handler can reach nothing but a global: this is the program's only one.
 volatile std::sig_atomic_t signal_received = 0;
+volatile std::sig_atomic_t flag_is_read = 0; ///< by the work under way, since its first look
+volatile std::sig_atomic_t speaks = 1;       ///< who watches this process speaks for it
 
+/// Who looks at the flag saves what has to be saved; everything else has nothing to lose and ends here.
 void raise_flag(int signal) {
   signal_received = signal;
+  if (flag_is_read)
+    return;
+  constexpr std::string_view message = "mesobridge: interrupted; what was written stays\n";
+  [[maybe_unused]] auto const written = speaks ? write(STDERR_FILENO, message.data(), message.size()) : 0;
+  _exit(interrupted_code);
 }
 
 } // namespace
 
 void catch_interrupts() {
   signal_received = 0;
+  flag_is_read = 0;
+  speaks = std::getenv(reports_variable) == nullptr;
   struct sigaction action {};
   action.sa_handler = raise_flag;
   action.sa_flags = SA_RESTART | SA_RESETHAND; // the next signal finds the default again
@@ -26,7 +42,13 @@ void catch_interrupts() {
 }
 
 bool interrupt_requested() {
+  flag_is_read = 1;
   return signal_received != 0;
+}
+
+void interrupts_end_at_once() {
+  throw_if_interrupted();
+  flag_is_read = 0;
 }
 
 void throw_if_interrupted() {

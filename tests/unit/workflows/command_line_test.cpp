@@ -60,8 +60,9 @@ TEST(CommandLine, ExceptionsBecomeExitCodes) {
       {4, [] { throw std::logic_error("a slip"); }, "unexpected failure: a slip"},
       {4, [] { throw 42; }, "unexpected failure"},
       {130, [] { throw Interrupted("interrupted"); }, "interrupted"},
-      {130, [] { std::raise(SIGINT), throw_if_interrupted(); }, "what was written stays"},
-      {130, [] { std::raise(SIGTERM), throw_if_interrupted(); }, "SIGTERM"},
+      {130, [] { throw_if_interrupted(), std::raise(SIGINT), throw_if_interrupted(); },
+       "what was written stays"},
+      {130, [] { throw_if_interrupted(), std::raise(SIGTERM), throw_if_interrupted(); }, "SIGTERM"},
       {0, [] { throw_if_interrupted(); }, ""},
   };
   int ran = 0;
