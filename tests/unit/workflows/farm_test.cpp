@@ -99,7 +99,9 @@ TEST(Farm, TellsOfRunsThatCouldNotTellThemselves) {
     return "no failure";
   };
   EXPECT_NE(message(script("kill -SEGV $$")).find("signal 11"), std::string::npos);
-  EXPECT_NE(message({{"/nonexistent/program"}, 1}).find("'/nonexistent/program' could not be executed"),
+  ScratchDirectory const scratch;
+  auto const missing = (scratch / "program").string();
+  EXPECT_NE(message({{missing}, 1}).find(fmt::format("'{}' could not be executed", missing)),
             std::string::npos);
 }
 

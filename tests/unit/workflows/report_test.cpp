@@ -124,7 +124,7 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
 TEST(Plot, AMissingGnuplotIsAnErrorOfTheEnvironment) {
   EXPECT_EXIT(
       {
-        setenv("PATH", "/nonexistent", 1);
+        setenv("PATH", "/dev/null", 1); // no folder, so nothing is found in it
         try {
           draw_svg(isotherms());
         } catch (EnvironmentError const& error) {
@@ -132,7 +132,7 @@ TEST(Plot, AMissingGnuplotIsAnErrorOfTheEnvironment) {
           std::exit(4);
         }
       },
-      testing::ExitedWithCode(4), "cannot run 'gnuplot': No such file or directory");
+      testing::ExitedWithCode(4), "cannot run 'gnuplot': (No such file|Not a directory)");
 }
 
 TEST(Report, IsOneSelfContainedPage) {
