@@ -35,14 +35,17 @@ Target target_of(SimulationSettings const& s) {
       s.eos);
 }
 
-void keep_box_small(SimulationSettings& s, double skin) {
+/// The lattice of the box that is run.
+std::array<std::uint32_t, 3> small_box(SimulationSettings const& s) {
+  constexpr double widest_skin = 0.7;
   double count = 1;
   for (auto const n : s.lattice)
     count *= n;
   auto const side = static_cast<std::uint32_t>(
-      std::max(std::round(std::cbrt(enough_particles)), std::ceil(2 * (s.h_factor + skin))));
+      std::max(std::round(std::cbrt(enough_particles)), std::ceil(2 * (s.h_factor + widest_skin))));
   if (count > enough_particles && count > double(side) * side * side)
-    s.lattice = {side, side, side};
+    return {side, side, side};
+  return s.lattice;
 }
 
 /// One stage's series.
@@ -58,12 +61,7 @@ class Calibration {
         correction_(settings.density_correction),
         W_0_(std::visit([](auto const& kernel) { return kernel.W(0.0); },
                         make_kernel(settings.kernel, settings.h_factor))) {
-    double const needed = target_.P - target_.motion;
-    require(condition != ScaleCondition::pressure || needed > least_pressure * target_.bulk_modulus,
-            "pressure of the particles in units of rho (dP/drho)_T", needed / target_.bulk_modulus,
-            fmt::format("must be > {} to calibrate the densities by the pressure; calibrate them by their "
-                        "response to compression",
-                        least_pressure));
+    check_calibration(settings, condition);
   }
 
   DensityCalibration run(std::uint64_t steps) {
@@ -157,11 +155,25 @@ class Calibration {
 
 } // namespace
 
+void check_calibration(SimulationSettings const& settings, ScaleCondition condition) {
+  auto const target = target_of(settings);
+  double const needed = target.P - target.motion;
+  require(condition != ScaleCondition::pressure || needed > least_pressure * target.bulk_modulus,
+          "pressure of the particles in units of rho (dP/drho)_T", needed / target.bulk_modulus,
+          fmt::format("must be > {} to calibrate the densities by the pressure; calibrate them by their "
+                      "response to compression",
+                      least_pressure));
+}
+
+double calibrated_particles(SimulationSettings const& s) {
+  auto const small = small_box(s);
+  return double(small[0]) * small[1] * small[2];
+}
+
 DensityCalibration calibrate_density(SimulationSettings settings, ScaleCondition condition,
                                      std::uint64_t steps, std::function<bool()> const& keep_going) {
   check(settings);
-  constexpr double widest_skin = 0.7;
-  keep_box_small(settings, widest_skin);
+  settings.lattice = small_box(settings);
   return Calibration(settings, condition, keep_going).run(steps);
 }
 

@@ -21,6 +21,13 @@ struct DensityCalibration {
   std::uint64_t steps = 0; ///< made in all
 };
 
+/// Throws InputError when the pressure cannot fix the scale, because it is small against the fluid's
+/// stiffness.
+void check_calibration(SimulationSettings const& settings, ScaleCondition condition);
+
+/// How many particles a calibration runs.
+double calibrated_particles(SimulationSettings const& settings);
+
 /// Finds the constants c and epsilon of DensityCorrection with which the fluid of `settings` at its size K
 /// has the mean density rho and the pressure of its equation of state (or the response): stages of growing
 /// length, each at equilibrium at the set temperature, after which both conditions are solved with the
@@ -29,8 +36,8 @@ struct DensityCalibration {
 ///
 /// The sum over the neighbours, <S>, and the response, <c B>, say that
 ///   c <S> + (c - epsilon) W(0) = 1  and  (P - n k_B T)(rho) c'/c = P_eos - n k_B T  (or <c B> = 1).
-/// Throws InputError when the pressure cannot fix the scale, because it is small against the fluid's
-/// stiffness; PhysicsError when the run fails or no constants are found; Interrupted.
+/// Throws InputError as check_calibration; PhysicsError when the run fails or no constants are found;
+/// Interrupted.
 DensityCalibration calibrate_density(SimulationSettings settings, ScaleCondition condition,
                                      std::uint64_t steps, std::function<bool()> const& keep_going);
 

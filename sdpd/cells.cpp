@@ -1,17 +1,20 @@
 #include "sdpd/cells.hpp"
 #include "md/error.hpp"
+#include "sdpd/start.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesobridge::sdpd {
 namespace {
 
 Index cells_along(double edge, double range) {
-  require(edge >= 2 * range, "box edge", edge,
-          fmt::format("must be at least twice the range of the interaction, {:.6g} (kernel support and skin, "
-                      "reduced units): take more particles",
-                      2 * range));
   return static_cast<Index>(edge / range);
+}
+
+Box checked(Box const& box, double range) {
+  require_cells(box, range);
+  return box;
 }
 
 /// A stretch of cells begins at `begin` and owns the `width` gaps that follow: it holds width + 1 cells.
@@ -62,9 +65,25 @@ void for_each_place(std::array<Index, 3> const& n, F const& f) {
 
 } // namespace
 
+void require_cells(Box const& box, double range) {
+  require(range > 0 && std::isfinite(range), "range of the interaction", range,
+          "must be > 0 and finite (reduced units)");
+  double cells = 1;
+  for (double const edge : {box.edge.x, box.edge.y, box.edge.z}) {
+    require(edge >= 2 * range && std::isfinite(edge), "box edge", edge,
+            fmt::format("must be at least twice the range of the interaction, {:.6g} (kernel support and "
+                        "skin, reduced units): take more particles",
+                        2 * range));
+    cells *= std::floor(edge / range);
+  }
+  require(cells <= std::numeric_limits<Index>::max(), "cells of the box", cells,
+          fmt::format("must be <= {}: its particles are too far apart for the range of their interaction",
+                      std::numeric_limits<Index>::max()));
+}
+
 CellGrid::CellGrid(Box box, double range)
-    : box_(box), n_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
-                    cells_along(box.edge.z, range)} {
+    : box_(checked(box, range)), n_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
+                                    cells_along(box.edge.z, range)} {
   std::array<std::vector<Stretch>, 3> const along{stretches(n_[0]), stretches(n_[1]), stretches(n_[2])};
   std::array<std::vector<Block>, 8> phases; // even and odd stretches along each edge
   for_each_place({static_cast<Index>(along[0].size()), static_cast<Index>(along[1].size()),

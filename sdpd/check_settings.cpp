@@ -1,5 +1,6 @@
 #include "sdpd/particle_eos.hpp"
 #include "sdpd/start.hpp"
+#include <limits>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -48,7 +49,35 @@ void check_pair_fluid(SimulationSettings const& s) {
           "DPD has no internal energies that could give or take energy");
 }
 
+/// The momenta of a single particle cannot have a temperature and no sum.
+void check_lattice(SimulationSettings const& s) {
+  double particles = 1;
+  for (auto const n : s.lattice) {
+    require(n >= 1, "particles along an edge", n, "must be >= 1");
+    particles *= n;
+  }
+  require(particles >= 2 && particles <= std::numeric_limits<Index>::max(), "particles", particles,
+          fmt::format("must be 2 ... {}", std::numeric_limits<Index>::max()));
+}
+
 } // namespace
+
+void check_units(SimulationSettings const& s) {
+  auto const units = s.units();
+  for (auto const& [unit, value] : {std::pair("mass", units.mass()),
+                                    {"length", units.length()},
+                                    {"energy", units.energy()},
+                                    {"time", units.time()},
+                                    {"pressure", units.pressure()},
+                                    {"viscosity", units.viscosity()}})
+    require(
+        value > 0 && std::isfinite(value), fmt::format("reduced unit of {}", unit), value,
+        "must be > 0 and finite: a size, mass, density, temperature or cut-off is too small or too large");
+  for (auto const& [length, value] :
+       {std::pair("distance between particles", s.spacing()), {"range of the interaction", s.range()}})
+    require(value > 0 && std::isfinite(value), length, value,
+            "must be > 0 and finite in reduced units: the density or a cut-off is too small or too large");
+}
 
 void check(SimulationSettings const& s) {
   require(s.rho > 0 && std::isfinite(s.rho), "density rho", s.rho, "must be > 0 and finite");
@@ -60,12 +89,12 @@ void check(SimulationSettings const& s) {
           s.scheme.verlet_steps, "must be >= 1");
   require(s.disorder >= 0 && s.disorder <= 0.5, "disorder", s.disorder,
           "must lie in 0 ... 0.5 lattice spacings");
-  for (auto const n : s.lattice)
-    require(n >= 1, "particles along an edge", n, "must be >= 1");
+  check_lattice(s);
   require(s.bath_rate >= 0 && std::isfinite(s.bath_rate), "rate of the bath", s.bath_rate, "must be >= 0");
   require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
   s.pair_fluid ? check_pair_fluid(s) : check_sdpd(s);
-  CellGrid(box_of(s), s.range() + skin_of(s));
+  check_units(s);
+  require_cells(box_of(s), s.range() + skin_of(s));
 }
 
 } // namespace mesobridge::sdpd

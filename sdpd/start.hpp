@@ -6,6 +6,14 @@
 /// hand.
 namespace mesobridge::sdpd {
 
+/// Throws InputError when an edge of the box is shorter than twice the range, or when there are more cells of
+/// that range in it than can be counted.
+void require_cells(Box const& box, double range);
+
+/// Throws InputError when a unit of the engine, or a length in it, is not a positive number: of quantities
+/// that are each allowed, and yet too far apart.
+void check_units(SimulationSettings const& settings);
+
 Box box_of(SimulationSettings const& settings);
 
 /// Of the neighbour lists, reduced.
@@ -20,7 +28,8 @@ double self_density(AnyKernel const& kernel, DensityCorrection const& correction
 /// Energies that belong to the particles' temperatures and densities; lists and densities are renewed.
 void set_energies_from_temperatures(System& system);
 
-/// Densities, thermodynamics and forces that belong to positions, with `thermodynamics` for what has energies.
+/// Densities, thermodynamics and forces that belong to positions, with `thermodynamics` for what has
+/// energies.
 void refresh_by(System& system, void (*thermodynamics)(System&));
 
 /// Lists, densities, thermodynamics and forces from positions and energies; the kept energy is that of now.

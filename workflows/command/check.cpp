@@ -1,16 +1,13 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
-#include "workflows/scene/scene.hpp"
-#include "workflows/sdpd/cost_estimate.hpp"
-#include "workflows/sdpd/disk_estimate.hpp"
-#include "workflows/sdpd/settings.hpp"
+#include "workflows/sdpd/run_checks.hpp"
+#include "workflows/sdpd/shortage.hpp"
 #include <CLI/CLI.hpp>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 
 namespace {
-
-constexpr double typical_dt = 0.1; ///< reduced: stands for one that is still to be found
 
 struct Options {
   std::string scene;
@@ -18,37 +15,46 @@ struct Options {
   bool keys = false;
 };
 
+std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, int threads) {
+  auto text =
+      fmt::format("\n# about {} on {} thread(s), {} of memory, {} on the disk; {:.0f} neighbours a particle",
+                  duration_text(cost.seconds), threads, bytes_text(cost.bytes), bytes_text(disk.total()),
+                  cost.neighbours);
+  if (cost.study_seconds > 0)
+    text += fmt::format("\n# of that time {} to find the time step", duration_text(cost.study_seconds));
+  if (cost.calibration_seconds > 0)
+    text += fmt::format("\n# of that time {} to calibrate the densities",
+                        duration_text(cost.calibration_seconds));
+  return text;
+}
+
 Result check(Options const& options, Context const& context) {
   if (options.keys)
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
-  Scene const scene = load_scene(options.scene, options.overrides);
-  auto settings = settings_of(scene, context.options.threads.value_or(available_threads()));
-  if (scene.scheme.dt.automatic)
-    settings.dt = typical_dt;
-  sdpd::check(settings);
-  auto const cost = estimate_cost(scene, settings);
+  int const threads = context.options.threads.value_or(available_threads());
+  Scene const scene = load_run(options.scene, options.overrides, threads);
+  auto const cost = estimate_cost(scene, threads);
   auto const disk = estimate_disk(scene);
+  auto const lacking = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
+  for (auto const& what : lacking)
+    context.log->warn("warning: {}", what);
   auto const resolved = resolved_toml(scene);
-  Result result;
-  result.json = {{"scene", options.scene},
-                 {"valid", true},
-                 {"resolved", resolved},
-                 {"estimated_neighbours", cost.neighbours},
-                 {"estimated_time_s", cost.seconds},
-                 {"estimated_memory_bytes", cost.bytes},
-                 {"estimated_disk_bytes", disk.total()},
-                 {"estimated_disk_results_bytes", disk.results},
-                 {"estimated_disk_trajectories_bytes", disk.trajectories},
-                 {"estimated_disk_checkpoint_bytes", disk.checkpoint}};
-  result.text =
-      resolved +
-      fmt::format(
-          "\n# about {} on {} thread(s), {:.3g} MB of memory, {:.3g} MB on the disk; {:.0f} neighbours a "
-          "particle",
-          duration_text(cost.seconds), settings.threads, cost.bytes / 1e6, disk.total() / 1e6,
-          cost.neighbours);
-  return result;
+  return {.json = {{"scene", options.scene},
+                   {"valid", true},
+                   {"warnings", lacking},
+                   {"resolved", resolved},
+                   {"estimated_neighbours", cost.neighbours},
+                   {"estimated_time_s", cost.seconds},
+                   {"estimated_time_step_study_s", cost.study_seconds},
+                   {"estimated_calibration_s", cost.calibration_seconds},
+                   {"estimated_memory_bytes", cost.bytes},
+                   {"estimated_disk_bytes", disk.total()},
+                   {"estimated_disk_results_bytes", disk.results},
+                   {"estimated_disk_trajectories_bytes", disk.trajectories},
+                   {"estimated_disk_checkpoint_bytes", disk.checkpoint}},
+          .text = resolved + cost_text(cost, disk, threads),
+          .complaint = ""};
 }
 
 } // namespace

@@ -70,15 +70,6 @@ void check_density(Scene const& scene, Places const& places) {
                      fmt::format("must lie between -c and c, c = density_scale = {}", *scale));
 }
 
-void check_box(Scene const& scene, Places const& places) {
-  // The nearest periodic image is the only one within the kernel's support when the edge is at least 2 h.
-  double const edge_in_h = std::cbrt(static_cast<double>(scene.particles.N)) / scene.particles.h_factor;
-  auto const needed = std::ceil(std::pow(2 * scene.particles.h_factor, 3) * (1 - 1e-12));
-  require_together(edge_in_h >= 2 * (1 - 1e-12), places, "particles.N", scene.particles.N,
-                   fmt::format("must be >= {} at h_factor = {}: the box would be narrower than 2 h", needed,
-                               scene.particles.h_factor));
-}
-
 void check_wish(Scene const& scene, Places const& places) {
   auto const& scheme = scene.scheme;
   auto check = [&](char const* key, std::optional<std::string> const& text, auto const& parse) {
@@ -122,7 +113,6 @@ namespace {
 void check_sdpd(Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
-  check_box(scene, places);
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
                    scene.scheme.noise,
                    "must be \"on\" with scheme.name = \"ems\": a Metropolis test needs it");

@@ -25,6 +25,10 @@ class Places {
   std::map<std::string, std::string> places_;
 };
 
+/// Where a key ("run.steps") of a scene file stands: "scene.toml:7", "--set", or the file when it has none.
+std::string place_of(std::filesystem::path const& file, std::vector<std::string> const& overrides,
+                     std::string const& key);
+
 /// Turns the path of a fitted model into an absolute one, so that the resolved scene reads back from any
 /// folder; the file must be there. Throws InputError.
 void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places);

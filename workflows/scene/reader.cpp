@@ -211,6 +211,17 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
   return scene;
 }
 
+std::string place_of(std::filesystem::path const& file, std::vector<std::string> const& overrides,
+                     std::string const& key) {
+  auto table = parse_toml(read_text_file(file), file.string());
+  Places places(file.string());
+  for (auto const& assignment : overrides)
+    apply_override(table, assignment, places);
+  if (auto const* node = table.at_path(key).node())
+    places.note(key, node->source().begin.line);
+  return places.of(key);
+}
+
 Scene load_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
   return parse_scene(read_text_file(file), file, overrides);
 }

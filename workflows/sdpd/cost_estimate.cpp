@@ -1,5 +1,8 @@
 #include "workflows/sdpd/cost_estimate.hpp"
+#include "md/error.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/study/automatic_dt.hpp"
+#include <array>
 #include <numbers>
 
 namespace mesobridge::workflows {
@@ -9,25 +12,54 @@ constexpr double ns_per_pair = 50; // ideal gas, SSA; the LJ fluid takes a fifth
 // 0.71 kB a particle in all were measured at h_factor 2.5 (64000 and 216000 particles).
 constexpr double bytes_per_particle = 330;  // state, forces, working memory
 constexpr double candidates_per_pair = 1.5; // the lists reach beyond the range by their skin
-constexpr double calibrated_particles = 1000;
-constexpr double bytes_per_candidate = 8; // as a candidate, and as a pair in range
+constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in range
+
+/// Particles times steps; as a double, since both may be large.
+double work_of(Scene const& scene) {
+  return static_cast<double>(scene.particles.N) *
+         (static_cast<double>(scene.run.equilibrate) + static_cast<double>(scene.run.steps));
+}
+
+double work_of_study(Scene const& scene) {
+  if (!scene.scheme.dt.automatic)
+    return 0;
+  auto const trials = time_step_trials(scene);
+  double work = static_cast<double>(trials.front().scene.particles.N) * steps_of_start(scene);
+  for (auto const& trial : trials)
+    work += work_of(trial.scene);
+  return work;
+}
+
+double work_of_calibration(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  return wants_calibration(scene)
+             ? static_cast<double>(scene.particles.calibration_steps) * sdpd::calibrated_particles(settings)
+             : 0;
+}
 
 } // namespace
 
-CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& settings) {
+CostEstimate estimate_cost(Scene const& scene, int threads) {
+  auto const settings = settings_of(scene, threads);
   double const h = settings.range() / settings.spacing();
   double const neighbours = 4 * std::numbers::pi / 3 * h * h * h;
-  auto const particles = static_cast<double>(scene.particles.N);
-  double const pairs = particles * neighbours / 2;
-  auto const steps = static_cast<double>(scene.run.equilibrate + scene.run.steps);
-  double const calibration =
-      wants_calibration(scene)
-          ? static_cast<double>(scene.particles.calibration_steps) * std::min(particles, calibrated_particles)
-          : 0;
+  double const pairs = static_cast<double>(scene.particles.N) * neighbours / 2;
+  double const seconds_per_work = neighbours / 2 * ns_per_pair * 1e-9 / threads;
+  double const calibration = seconds_per_work * work_of_calibration(scene, settings),
+               study = seconds_per_work * work_of_study(scene);
   return {.neighbours = neighbours,
-          .seconds =
-              neighbours / 2 * (particles * steps + calibration) * ns_per_pair * 1e-9 / settings.threads,
-          .bytes = particles * bytes_per_particle + pairs * candidates_per_pair * bytes_per_candidate};
+          .seconds = seconds_per_work * work_of(scene) + calibration + study,
+          .calibration_seconds = calibration,
+          .study_seconds = study,
+          .bytes = static_cast<double>(scene.particles.N) * bytes_per_particle +
+                   pairs * candidates_per_pair * bytes_per_candidate};
+}
+
+std::string bytes_text(double bytes) {
+  constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB"};
+  std::size_t unit = 0;
+  for (; bytes >= 999.5 && unit + 1 < units.size(); ++unit)
+    bytes /= 1000;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
 } // namespace mesobridge::workflows

@@ -6,13 +6,18 @@ namespace mesobridge::workflows {
 
 /// What a scene will take, before anything is run.
 struct CostEstimate {
-  double neighbours; ///< of a particle, (4 pi/3) (range / mean distance)^3
-  double seconds;
-  double bytes;
+  double neighbours;          ///< of a particle, (4 pi/3) (range / mean distance)^3
+  double seconds;             ///< in all
+  double calibration_seconds; ///< of these, for the constants of the densities
+  double study_seconds;       ///< and for the study of an automatic time step
+  double bytes;               ///< of memory
 };
 
 /// From the number of pairs: the time by the cost of a pair that `bench engine` finds on one core of the
 /// machines of 2026 (within a factor of two elsewhere), the memory by what the engine stores.
-CostEstimate estimate_cost(Scene const& scene, sdpd::SimulationSettings const& settings);
+CostEstimate estimate_cost(Scene const& scene, int threads);
+
+/// "3.2 GB".
+std::string bytes_text(double bytes);
 
 } // namespace mesobridge::workflows

@@ -7,10 +7,13 @@ bool wants_calibration(Scene const& scene) {
   return scene.particles.density.starts_with("calibrated") && !scene.particles.density_scale;
 }
 
+sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
+  return scene.particles.density == "calibrated" ? sdpd::ScaleCondition::pressure
+                                                 : sdpd::ScaleCondition::response;
+}
+
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {
-  auto const condition = scene.particles.density == "calibrated" ? sdpd::ScaleCondition::pressure
-                                                                 : sdpd::ScaleCondition::response;
-  return sdpd::calibrate_density(settings_of(scene, threads), condition,
+  return sdpd::calibrate_density(settings_of(scene, threads), scale_condition_of(scene),
                                  static_cast<std::uint64_t>(scene.particles.calibration_steps), keep_going);
 }
 

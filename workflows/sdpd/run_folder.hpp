@@ -16,6 +16,8 @@ class RunFolder {
   std::filesystem::path calibration() const { return path_ / "calibration.json"; }
   std::filesystem::path summary() const { return path_ / "summary.json"; }
 
+  std::filesystem::path log() const { return path_ / "log.txt"; } ///< for people
+
   bool has_checkpoint() const { return std::filesystem::exists(checkpoint()); }
 
   /// Whether this very scene (resolved) began here and did not come to its first checkpoint.

@@ -2,9 +2,12 @@
 #include "sdpd/observe/runaway.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
+#include "workflows/sdpd/run_log.hpp"
 #include "workflows/sdpd/run_outputs.hpp"
 #include "workflows/sdpd/run_summary.hpp"
+#include "workflows/sdpd/run_text.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <chrono>
@@ -23,9 +26,19 @@ class Run {
                                                               resolved_toml(scene_), inputs(scene)} {}
 
   RunResult carry_out() {
-    require(scene_.run.steps >= 32 * scene_.run.sample_every, "run.steps", scene_.run.steps,
-            fmt::format("must be at least 32 run.sample_every = {}, or no errors can be estimated",
-                        32 * scene_.run.sample_every));
+    try {
+      auto result = run();
+      log_->end(run_text(result));
+      return result;
+    } catch (std::exception const& error) {
+      if (log_)
+        log_->end(error.what());
+      throw;
+    }
+  }
+
+ private:
+  RunResult run() {
     if (options_.resume && !folder_.stopped_before_first_checkpoint(provenance_.scene))
       resume();
     else
@@ -44,7 +57,6 @@ class Run {
     return finish(work > 0 ? spent.count() / work : 0);
   }
 
- private:
   static std::vector<std::filesystem::path> inputs(Scene const& scene) {
     std::vector<std::filesystem::path> files;
     for (auto const& file :
@@ -79,6 +91,7 @@ class Run {
     std::error_code ignored; // what an earlier run left here is none of this one's
     std::filesystem::remove(folder_.checkpoint(), ignored);
     write_text_file(folder_.scene(), provenance_.scene);
+    open_log(false);
     sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
                       [&] { return options_.keep_going(simulation_.step()); });
     outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, false);
@@ -91,15 +104,21 @@ class Run {
       throw InputError(fmt::format("'{}' was written by another scene than this one: compare '{}' and take "
                                    "the same scene, or another directory",
                                    folder_.checkpoint().string(), folder_.scene().string()));
+    open_log(true);
     simulation_.restore(stored.checkpoint);
     done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
     outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, true);
   }
 
+  void open_log(bool resume) {
+    log_.emplace(folder_.log(), resume, options_.command, scene_, settings_, options_.tell);
+  }
+
   std::int64_t steps_to_next_event() const {
     std::int64_t steps = scene_.run.steps - done_;
-    if (std::int64_t const every = scene_.run.checkpoint_every; every > 0)
-      steps = std::min(steps, every - done_ % every);
+    for (std::int64_t const every : {scene_.run.checkpoint_every, log_->every()})
+      if (every > 0)
+        steps = std::min(steps, every - done_ % every);
     return outputs_->steps_to_next(done_, steps);
   }
 
@@ -114,6 +133,8 @@ class Run {
     if (simulation_.has_noise()) // what flows without noise has no temperature of its motion
       sdpd::refuse_runaway(observed, settings_.dt);
     outputs_->record(done_, observed, simulation_);
+    if (done_ % log_->every() == 0)
+      log_->thermo(done_, observed);
     if (done_ > 0 && scene_.run.checkpoint_every > 0 && done_ % scene_.run.checkpoint_every == 0)
       checkpoint();
   }
@@ -161,12 +182,14 @@ class Run {
   OutputUnits units_;
   Provenance provenance_;
   std::optional<RunOutputs> outputs_;
+  std::optional<RunLog> log_;
   std::int64_t done_ = 0; ///< of the sampled steps
 };
 
 } // namespace
 
 RunResult run_scene(Scene const& scene, RunOptions const& options) {
+  check_run(scene, options.threads);
   return Run(scene, options).carry_out();
 }
 

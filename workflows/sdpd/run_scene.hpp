@@ -8,8 +8,9 @@ namespace mesobridge::workflows {
 struct RunOptions {
   std::filesystem::path directory; ///< exists
   int threads = 1;
-  bool resume = false; ///< go on from the directory's checkpoint
-  std::string command; ///< the command line, for the files' provenance
+  bool resume = false;                               ///< go on from the directory's checkpoint
+  std::string command;                               ///< the command line, for the files' provenance
+  std::function<void(std::string const&)> tell = {}; ///< gets the log's lines of thermodynamics, if given
   /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).
   std::function<bool(std::uint64_t)> keep_going = [](std::uint64_t) { return true; };
 };
@@ -27,8 +28,8 @@ struct RunResult {
 };
 
 /// Runs a scene: equilibrates, samples, writes scene.toml, run.h5, trajectory.h5 (if asked for), checkpoints
-/// and summary.json into the directory. Throws PhysicsError when the run cannot go on; Interrupted when it
-/// was stopped, with a message that says where and how to go on.
+/// summary.json and log.txt into the directory. Throws PhysicsError when the run cannot go on; Interrupted
+/// when it was stopped, with a message that says where and how to go on.
 RunResult run_scene(Scene const& scene, RunOptions const& options);
 
 } // namespace mesobridge::workflows

@@ -15,7 +15,14 @@ fitting::AnyEos eos_of(Scene const& scene) {
   return fitting::load_eos(scene.fluid.eos, [](std::string const& file) { return read_text_file(file); }).eos;
 }
 
+namespace {
+
+constexpr std::int64_t most_particles = 4'000'000'000; ///< ids and indices have 32 bits
+
+} // namespace
+
 std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
+  require(N >= 1 && N <= most_particles, "particles.N", N, fmt::format("must be 1 ... {}", most_particles));
   std::array<std::int64_t, 3> best{1, 1, N};
   for (std::int64_t a = 1; a * a * a <= N; ++a)
     if (N % a == 0)

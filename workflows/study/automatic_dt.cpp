@@ -27,19 +27,37 @@ Scene with_time_step(Scene scene, TimeStep const& dt) {
   return scene;
 }
 
-} // namespace
-
-ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
+/// The scene that the study varies.
+Scene trial_of(Scene const& scene) {
   Scene trial = with_time_step(scene, {.value = 1});
   trial.scheme.dt_chosen_for = std::nullopt;
+  return trial;
+}
+
+TradeOffPlan plan_of(Scene const& scene) {
   auto const tries = tries_of(scene);
-  TradeOffPlan const plan{.schemes = {scene.scheme.name},
-                          .splittings = {scene.scheme.splitting},
-                          .integrators = {scene.scheme.conservative},
-                          .dt = tries.dt,
-                          .K = {scene.particles.K},
-                          .time = tries.time,
-                          .stability_limit = false};
+  return {.schemes = {scene.scheme.name},
+          .splittings = {scene.scheme.splitting},
+          .integrators = {scene.scheme.conservative},
+          .dt = tries.dt,
+          .K = {scene.particles.K},
+          .time = tries.time,
+          .stability_limit = false};
+}
+
+} // namespace
+
+double largest_tried_dt(Scene const& scene) {
+  return tries_of(scene).dt.back();
+}
+
+std::vector<PlannedTrial> time_step_trials(Scene const& scene) {
+  return planned_trials(trial_of(scene), plan_of(scene));
+}
+
+ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
+  Scene const trial = trial_of(scene);
+  auto const plan = plan_of(scene);
   auto const target =
       parse_target(scene.scheme.drift, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());
   auto const found = trade_off(trial, plan, options);

@@ -12,6 +12,12 @@ struct ChosenTimeStep {
 };
 ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options);
 
+/// The largest time step that the study may choose, reduced.
+double largest_tried_dt(Scene const& scene);
+
+/// The runs of that study.
+std::vector<PlannedTrial> time_step_trials(Scene const& scene);
+
 /// The scene with the time step that the stored scene was given for the same wishes. Throws InputError when
 /// the stored scene had others.
 Scene with_stored_time_step(Scene const& scene, Scene const& stored);

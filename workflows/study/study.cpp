@@ -3,6 +3,7 @@
 #include "workflows/job_pool.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/trial_file.hpp"
+#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -68,6 +69,10 @@ double work_of(Scene const& scene) {
 
 } // namespace
 
+double steps_of_start(Scene const& scene, StudyOptions const& options) {
+  return std::ceil(options.start_time / start_dt(scene, options));
+}
+
 std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options) {
   std::vector<TrialResult> results(plan.size());
   Starts starts(plan, options);
@@ -110,7 +115,9 @@ double narrowest_edge(Scene const& scene) {
   if (scene.is_sdpd())
     return 2 * scene.particles.h_factor + 1.5;
   auto const settings = settings_of(scene, 1);
-  return (2 * settings.range() + 1) / settings.spacing();
+  constexpr double widest_skins = 1.5; // in distances between particles
+  return std::max((2 * settings.range() + 1) / settings.spacing(),
+                  2 * settings.range() / settings.spacing() + widest_skins);
 }
 
 } // namespace

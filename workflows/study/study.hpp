@@ -21,6 +21,9 @@ struct StudyOptions {
   };
 };
 
+/// Steps that a common start of the scene's fluid makes.
+double steps_of_start(Scene const& scene, StudyOptions const& options = {});
+
 /// Runs all trials, several at a time, each on one thread; scenes of one size of particles begin in the same
 /// state. Finished trials are stored in the directory and read back instead of being run again. The results
 /// do not depend on the threads, but for the times. In the order of the plan. Throws Interrupted.

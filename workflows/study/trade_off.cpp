@@ -30,18 +30,6 @@ std::vector<Configuration> configurations(TradeOffPlan const& plan) {
   return all;
 }
 
-std::vector<PlannedTrial> planned_trials(Scene const& sample, TradeOffPlan const& plan,
-                                         std::vector<Configuration> const& all) {
-  std::vector<PlannedTrial> trials;
-  for (auto const& configuration : all)
-    for (double const dt : plan.dt) {
-      Scene scene = with(sample, configuration, dt);
-      set_times(scene, dt, settle, plan.time);
-      trials.push_back({fmt::format("{}-dt{:g}", configuration.name(), dt), scene, std::nullopt});
-    }
-  return trials;
-}
-
 /// One short run: does the configuration survive this time step?
 bool survives(Scene const& sample, Configuration const& configuration, double dt,
               StudyOptions const& options) {
@@ -193,10 +181,22 @@ Bias TradeOff::bias(Configuration const& of, TrialResult const& trial) const {
   return bias;
 }
 
+std::vector<PlannedTrial> planned_trials(Scene const& scene, TradeOffPlan const& plan) {
+  auto const sample = small_sample(scene, plan.particles);
+  std::vector<PlannedTrial> trials;
+  for (auto const& configuration : configurations(plan))
+    for (double const dt : plan.dt) {
+      Scene trial = with(sample, configuration, dt);
+      set_times(trial, dt, settle, plan.time);
+      trials.push_back({fmt::format("{}-dt{:g}", configuration.name(), dt), trial, std::nullopt});
+    }
+  return trials;
+}
+
 TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions const& options) {
   auto const sample = small_sample(scene, plan.particles);
   TradeOff found{.scene = sample, .plan = plan, .configurations = configurations(plan)};
-  auto const results = run_study(planned_trials(sample, plan, found.configurations), options);
+  auto const results = run_study(planned_trials(scene, plan), options);
   auto result = results.begin();
   for (auto& configuration : found.configurations) {
     std::vector<double> dt;

@@ -60,6 +60,9 @@ struct Recommendation {
   std::string because;             ///< what limits dt: the drift, the bias, stability, the largest dt tried
 };
 
+/// The trials of a plan, of samples of the scene.
+std::vector<PlannedTrial> planned_trials(Scene const& scene, TradeOffPlan const& plan);
+
 /// Runs all trials. `directory` holds those that are stored.
 TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions const& options);
 

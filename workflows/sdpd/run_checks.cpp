@@ -1,0 +1,77 @@
+#include "workflows/sdpd/run_checks.hpp"
+#include "sdpd/start.hpp"
+#include "workflows/scene/checks.hpp"
+#include "workflows/sdpd/density_constants.hpp"
+#include "workflows/study/automatic_dt.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr std::int64_t least_samples = 32; ///< for standard errors, and for the drift of the energy
+constexpr std::int64_t most_steps = 1'000'000'000'000'000; ///< their sum is exact as a double
+
+void check_steps(Scene::Run const& run) {
+  for (auto const& [key, steps] : {std::pair("run.steps", run.steps), {"run.equilibrate", run.equilibrate}})
+    require(steps <= most_steps, key, steps, fmt::format("must be <= {}", most_steps));
+  require(run.steps / least_samples >= run.sample_every, "run.steps", run.steps,
+          fmt::format("must be at least {} run.sample_every = {}, or no errors can be estimated",
+                      least_samples, double(least_samples) * double(run.sample_every)));
+}
+
+/// An automatic time step stands as the largest that it may become, which makes the widest skin.
+sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
+  auto settings = settings_of(scene, threads);
+  if (scene.scheme.dt.automatic)
+    settings.dt = largest_tried_dt(scene);
+  return settings;
+}
+
+/// The edges of the box are counted in particles, so this asks for a number of them.
+void check_box(Scene const& scene, int threads) {
+  Scene one = scene;
+  one.particles.N = 1;
+  auto const settings = settings_for_check(one, threads);
+  sdpd::check_units(settings);
+  double const reach = (settings.range() + sdpd::skin_of(settings)) / settings.spacing();
+  double const edge = std::max(2.0, std::ceil(2 * reach * (1 - 1e-14)));
+  auto const N = scene.particles.N;
+  auto const why = fmt::format("the box must be twice as wide as the interaction and the skin of its lists "
+                               "reach, which is {:.4g} mean distances between particles",
+                               reach);
+  require(static_cast<double>(N) >= edge * edge * edge, "particles.N", N,
+          fmt::format("must be >= {:.0f}, {:.0f} along each edge: {}", edge * edge * edge, edge, why));
+  auto const lattice = lattice_of(N);
+  auto const side = static_cast<double>(std::llround(std::cbrt(static_cast<double>(N))));
+  require(lattice[0] >= edge, "particles.N", N,
+          fmt::format("its lattice of {} x {} x {} is too narrow; take {:.0f} or {:.0f}: {}", lattice[0],
+                      lattice[1], lattice[2], side * side * side, side * side * (side + 1), why));
+}
+
+} // namespace
+
+void check_run(Scene const& scene, int threads) {
+  check_steps(scene.run);
+  check_box(scene, threads);
+  auto const settings = settings_for_check(scene, threads);
+  sdpd::check(settings);
+  if (scene.scheme.dt.automatic)
+    for (auto const& trial : time_step_trials(scene))
+      sdpd::check(settings_of(trial.scene, 1));
+  if (wants_calibration(scene))
+    sdpd::check_calibration(settings, scale_condition_of(scene));
+}
+
+Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads) {
+  Scene scene = load_scene(file, overrides);
+  try {
+    check_run(scene, threads);
+  } catch (InputError const& error) {
+    std::string const message = error.what();
+    throw InputError(
+        fmt::format("{}: {}", place_of(file, overrides, message.substr(0, message.find(' '))), message));
+  }
+  return scene;
+}
+
+} // namespace mesobridge::workflows

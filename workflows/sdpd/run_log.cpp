@@ -1,0 +1,89 @@
+#include "workflows/sdpd/run_log.hpp"
+#include "workflows/version.hpp"
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <fmt/chrono.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S %z}", fmt::localtime(std::time(nullptr)));
+}
+
+std::string host() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "?";
+}
+
+/// "T_kin[K]": a column's title and its unit.
+std::string column(std::string const& name, std::string const& unit) {
+  return fmt::format(" {:>16}", unit.empty() ? name : name + "[" + unit + "]");
+}
+
+} // namespace
+
+std::int64_t thermo_every(Scene::Run const& run) {
+  constexpr std::int64_t lines = 20;
+  return std::max<std::int64_t>(1, run.steps / lines / run.sample_every) * run.sample_every;
+}
+
+RunLog::RunLog(std::filesystem::path const& file, bool resume, std::string const& command, Scene const& scene,
+               sdpd::SimulationSettings const& settings, std::function<void(std::string const&)> tell)
+    : file_(file), units_(settings.units(), scene.units), observables_(observables_of(settings)),
+      si_(scene.units == UnitSystem::SI), dt_(settings.dt),
+      particles_(static_cast<double>(scene.particles.N)), every_(thermo_every(scene.run)),
+      tell_(std::move(tell)) {
+  if (!resume)
+    std::ofstream(file_, std::ios::trunc);
+  write(fmt::format("{}mesobridge {} ({}) on {}, process {}, {} thread(s)\n{}  {}\n{}  scene: {}\n",
+                    resume ? "\n" : "", version(), git_commit(), host(), getpid(), settings.threads, now(),
+                    command, now(), scene.title));
+}
+
+void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
+  auto add = [](std::string& text, double value) { text += fmt::format(" {:>16.9g}", value); };
+  if (!titled_) {
+    auto title =
+        fmt::format("{:>12}", "Step") + column("Time", si_ ? "s" : "") + column("T_kin", si_ ? "K" : "");
+    title += observables_.energies ? column("T_int", si_ ? "K" : "") : "";
+    title += column("P", si_ ? "Pa" : "");
+    title += observables_.densities ? column("rho", si_ ? "kg/m^3" : "") : "";
+    title += column("E/N", si_ ? "J" : "");
+    write(title + "\n");
+    if (tell_)
+      tell_(title);
+    titled_ = true;
+  }
+  auto text = fmt::format("{:>12}", done);
+  add(text, static_cast<double>(done) * dt_ * units_.time);
+  add(text, observed.T_kin * units_.temperature);
+  if (observables_.energies)
+    add(text, observed.T_int * units_.temperature);
+  add(text, observed.P * units_.pressure);
+  if (observables_.densities)
+    add(text, observed.rho * units_.density);
+  add(text, observed.energy() / particles_ * units_.energy);
+  write(text + "\n");
+  if (tell_)
+    tell_(text);
+}
+
+void RunLog::say(std::string const& message) {
+  write(fmt::format("{}  {}\n", now(), message));
+}
+
+void RunLog::end(std::string const& text) {
+  write(fmt::format("{}{}{}  end\n", text, text.empty() || text.ends_with('\n') ? "" : "\n", now()));
+}
+
+/// Opened each time: the log survives whatever happens to the program, and a full disk costs no more than
+/// lines.
+void RunLog::write(std::string const& text) {
+  std::ofstream(file_, std::ios::app) << text;
+}
+
+} // namespace mesobridge::workflows
