@@ -212,6 +212,7 @@ void farm(std::string const& title, std::vector<FarmedRun> runs, int at_once, Co
   require(at_once >= 1, "runs at once", at_once, "must be at least 1");
   auto progress = context.progress(title, 1);
   Farm(std::move(runs), at_once).work(progress);
+  interrupts_end_at_once(); // what follows analyses what the runs have stored
 }
 
 } // namespace mesobridge::workflows

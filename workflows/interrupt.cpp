@@ -3,6 +3,7 @@
 #include "workflows/progress.hpp"
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 #include <unistd.h>
 
@@ -12,15 +13,28 @@ namespace {
 
 constexpr int interrupted_code = 130; ///< the exit code of an interruption
 
-// A signal handler can reach nothing but a global: this is the program's only one.
+// A signal handler can reach nothing but globals: these are the program's only ones.
 volatile std::sig_atomic_t signal_received = 0;
 volatile std::sig_atomic_t flag_is_read = 0; ///< by the work under way, since its first look
 volatile std::sig_atomic_t speaks = 1;       ///< who watches this process speaks for it
 
-/// Who looks at the flag saves what has to be saved; everything else has nothing to lose and ends here.
+volatile std::sig_atomic_t second_received = 0; ///< of a clock that never goes back
+
+std::sig_atomic_t seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::sig_atomic_t>(now.tv_sec);
+}
+
+/// Who looks at the flag saves what has to be saved; everything else has nothing to lose and ends here. Who
+/// asks twice at once (timeout(1) signals a program and its group) is not impatient; who asks again later is.
 void raise_flag(int signal) {
+  constexpr std::sig_atomic_t same_wish = 1;
+  bool const again = signal_received != 0 && seconds() - second_received > same_wish;
+  if (signal_received == 0)
+    second_received = seconds();
   signal_received = signal;
-  if (flag_is_read)
+  if (flag_is_read && !again)
     return;
   constexpr std::string_view message = "mesobridge: interrupted; what was written stays\n";
   [[maybe_unused]] auto const written = speaks ? write(STDERR_FILENO, message.data(), message.size()) : 0;
@@ -35,7 +49,7 @@ void catch_interrupts() {
   speaks = std::getenv(reports_variable) == nullptr;
   struct sigaction action {};
   action.sa_handler = raise_flag;
-  action.sa_flags = SA_RESTART | SA_RESETHAND; // the next signal finds the default again
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

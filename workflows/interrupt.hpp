@@ -4,7 +4,7 @@ namespace mesobridge::workflows {
 
 /// From now on the first SIGINT or SIGTERM ends the program at once, with the exit code of an interruption.
 /// From the first question for it on (see below) it only raises a flag, so that the work can be saved; a
-/// second signal then ends the program as usual.
+/// second signal, some seconds later, then ends the program at once too.
 void catch_interrupts();
 
 /// What follows has nothing to save and does not ask: a signal ends it at once again. Throws Interrupted when

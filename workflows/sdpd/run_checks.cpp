@@ -34,7 +34,7 @@ void check_box(Scene const& scene, int threads) {
   auto const settings = settings_for_check(one, threads);
   sdpd::check_units(settings);
   double const reach = (settings.range() + sdpd::skin_of(settings)) / settings.spacing();
-  double const edge = std::max(2.0, std::ceil(2 * reach * (1 - 1e-14)));
+  double const edge = std::max(1.0, std::ceil(2 * reach * (1 - 1e-14)));
   auto const N = scene.particles.N;
   auto const why = fmt::format("the box must be twice as wide as the interaction and the skin of its lists "
                                "reach, which is {:.4g} mean distances between particles",

@@ -58,7 +58,7 @@ void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
       tell_(title);
     titled_ = true;
   }
-  auto text = fmt::format("{:>12}", done);
+  auto text = fmt::format("{:>12}", observed.step);
   add(text, static_cast<double>(done) * dt_ * units_.time);
   add(text, observed.T_kin * units_.temperature);
   if (observables_.energies)

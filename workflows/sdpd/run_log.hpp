@@ -18,7 +18,7 @@ class RunLog {
   /// Steps between two lines.
   std::int64_t every() const { return every_; }
 
-  /// A line after `done` sampled steps.
+  /// A line after `done` sampled steps, with the step and time that run.h5 gives them.
   void thermo(std::int64_t done, sdpd::Observation const& observed);
 
   /// A message with its time.
