@@ -28,17 +28,19 @@ Progress::Clock::duration interval_of(Progress::Style style) {
 }
 
 /// One line of the terminal, whose last column stays free. What there is no room for gives way in turn: the
-/// end of the note, of the title, the bar's length, the bar, and all but the share.
+/// end of the note, the bar's length, the end of the title, the bar, the title.
 std::string bar_text(std::string const& whole_title, double fraction, std::string const& left,
                      std::string const& note, std::size_t columns) {
   std::size_t const room = std::max<std::size_t>(columns, 2) - 1;
+  auto less = [room](std::size_t taken) { return room - std::min(room, taken); };
   std::string const share = fmt::format("{:3.0f} % · {}", 100 * fraction, left);
-  constexpr std::size_t frame = 4; // " [" and "] "
-  auto const fixed = display_width(share) + frame;
-  auto const title = fitted(whole_title, std::max(shortest_title, room - std::min(room, fixed + widest_bar)));
+  std::size_t const fixed = display_width(share) + std::string(" [] ").size();
+  auto const title = fitted(whole_title, std::max(shortest_title, less(fixed + narrowest_bar)));
   auto const taken = display_width(title) + fixed;
-  if (taken + narrowest_bar > room)
-    return fitted(fitted(whole_title, room - std::min(room, display_width(share) + 1)) + " " + share, room);
+  if (taken + narrowest_bar > room) {
+    auto const start = fitted(whole_title, less(display_width(share) + 1));
+    return fitted(start.empty() ? share : start + " " + share, room);
+  }
   auto const length = std::min(widest_bar, room - taken);
   auto const filled = static_cast<std::size_t>(fraction * static_cast<double>(length));
   auto const line =

@@ -27,6 +27,13 @@ sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
   return settings;
 }
 
+/// Positions of size one that are stored as doubles do not notice shorter steps.
+void check_time_step(sdpd::SimulationSettings const& settings) {
+  constexpr double shortest = 1e-12;
+  require(settings.dt >= shortest, "scheme.dt", settings.dt,
+          fmt::format("must be >= {} reduced units of time: shorter steps move no particle", shortest));
+}
+
 /// The edges of the box are counted in particles, so this asks for a number of them.
 void check_box(Scene const& scene, int threads) {
   Scene one = scene;
@@ -55,6 +62,7 @@ void check_run(Scene const& scene, int threads) {
   check_box(scene, threads);
   auto const settings = settings_for_check(scene, threads);
   sdpd::check(settings);
+  check_time_step(settings);
   if (scene.scheme.dt.automatic)
     for (auto const& trial : time_step_trials(scene))
       sdpd::check(settings_of(trial.scene, 1));
