@@ -23,9 +23,24 @@ herr_t collect(unsigned, H5E_error2_t const* error, void* data) {
 
 } // namespace
 
-std::string hdf5_cause() {
+namespace {
+
+Causes causes_of_last_failure() {
   Causes causes;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &causes);
+  if (causes.system == "Success") // a read beyond the end of the file
+    causes.system.clear();
+  return causes;
+}
+
+} // namespace
+
+std::string hdf5_system_cause() {
+  return causes_of_last_failure().system;
+}
+
+std::string hdf5_cause() {
+  auto const causes = causes_of_last_failure();
   if (!causes.system.empty())
     return causes.system;
   return causes.innermost.empty() ? "unknown cause" : causes.innermost;

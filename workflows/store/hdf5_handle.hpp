@@ -33,6 +33,9 @@ class Hdf5Handle {
 /// otherwise the innermost message of HDF5's error stack.
 std::string hdf5_cause();
 
+/// The operating system's message alone ("No space left on device"); empty when it has nothing to do with it.
+std::string hdf5_system_cause();
+
 /// To be called before anything else of HDF5, as often as you like: its error stack is no longer printed on
 /// stderr, and it does nothing at the program's exit.
 void prepare_hdf5();

@@ -38,7 +38,7 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
                       name));
     return;
   }
-  self.handle = self.check({H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose}, "open");
+  self.handle = self.opened({H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose}, "cannot open");
   if (mode == Mode::append && safety == Safety::marked)
     mark();
 }
@@ -70,45 +70,6 @@ void Store::append(std::string const& path, std::span<std::int64_t const> values
   implementation_->append(path, values, row_shape);
 }
 
-std::vector<double> Store::read_doubles(std::string const& path) const {
-  return implementation_->read<double>(path);
-}
-std::vector<std::int64_t> Store::read_integers(std::string const& path) const {
-  return implementation_->read<std::int64_t>(path);
-}
-std::string Store::read_text(std::string const& path) const {
-  auto const dataset = implementation_->open_dataset(path);
-  Hdf5Handle const type(H5Dget_type(dataset.get()), H5Tclose);
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
-    throw InputError(fmt::format("dataset '{}' of '{}' is no text of fixed length", path, file().string()));
-  std::string text(H5Tget_size(type.get()), '\0');
-  implementation_->check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()),
-                         "read dataset '" + path + "' of");
-  return text.substr(0, text.find('\0'));
-}
-Store::Shape Store::shape(std::string const& path) const {
-  return implementation_->shape_of(implementation_->open_dataset(path));
-}
-bool Store::contains(std::string const& path) const {
-  return implementation_->contains(path);
-}
-
-std::vector<std::string> Store::list(std::string const& group) const {
-  auto const& self = *implementation_;
-  if (!self.contains(group))
-    throw InputError(fmt::format("'{}' has no group '{}'", self.file.string(), group));
-  auto const handle = self.check({H5Gopen2(self.handle.get(), group.c_str(), H5P_DEFAULT), H5Gclose},
-                                 "open group '" + group + "' of");
-  std::vector<std::string> names;
-  auto const collect = [](hid_t, char const* name, H5L_info_t const*, void* data) -> herr_t {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
-    return 0;
-  };
-  self.check(H5Literate(handle.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names),
-             "list '" + group + "' of");
-  return names;
-}
-
 void Store::set_attribute(std::string const& object, std::string const& name, double value) {
   implementation_->set_attribute(object, name, H5T_NATIVE_DOUBLE, {H5Screate(H5S_SCALAR), H5Sclose}, &value);
 }
@@ -138,29 +99,6 @@ void Store::set_ascii_attribute(std::string const& object, std::string const& na
   auto const type = text_type(text.size());
   H5Tset_cset(type.get(), H5T_CSET_ASCII);
   implementation_->set_attribute(object, name, type.get(), {H5Screate(H5S_SCALAR), H5Sclose}, text.data());
-}
-
-double Store::read_double_attribute(std::string const& object, std::string const& name) const {
-  return implementation_->read_number_attribute<double>(object, name);
-}
-std::int64_t Store::read_integer_attribute(std::string const& object, std::string const& name) const {
-  return implementation_->read_number_attribute<std::int64_t>(object, name);
-}
-std::string Store::read_text_attribute(std::string const& object, std::string const& name) const {
-  auto const attribute = implementation_->open_attribute(object, name);
-  Hdf5Handle const type(H5Aget_type(attribute.get()), H5Tclose);
-  Hdf5Handle const space(H5Aget_space(attribute.get()), H5Sclose);
-  if (H5Tis_variable_str(type.get()) <= 0 || H5Sget_simple_extent_npoints(space.get()) != 1)
-    throw InputError(fmt::format("attribute '{}' of '{}' is no text", name, file().string()));
-  char* data = nullptr;
-  implementation_->check(H5Aread(attribute.get(), attribute_text_type().get(), static_cast<void*>(&data)),
-                         "read attribute '" + name + "' of");
-  std::string text = data ? data : "";
-  H5free_memory(data);
-  return text;
-}
-bool Store::has_attribute(std::string const& object, std::string const& name) const {
-  return implementation_->has_attribute(object, name);
 }
 
 void Store::link(std::string const& existing, std::string const& path) {

@@ -1,17 +1,17 @@
 #pragma once
-#include <cstdint>
+#include "workflows/store/expected.hpp"
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace mesobridge::workflows {
 
 /// One HDF5 file. Objects are named by paths ("states/0/U"); groups on the way are created as needed.
 ///
 /// Every failure is an EnvironmentError that names the file, what was tried and HDF5's own cause (a full
-/// disk, say); a file that cannot be read, or lacks a dataset that was asked for, is an InputError.
+/// disk, say). Whatever is read is checked before it is taken: its kind, its shape, that the file is large
+/// enough to hold it, the values. A file that cannot be read, lacks what was asked for, or holds something
+/// else there, is an InputError that names the file, the place, what it holds and what is allowed.
 class Store {
  public:
   enum class Mode {
@@ -24,7 +24,7 @@ class Store {
     plain, ///< perhaps a damaged file
     marked ///< a file that returns to its last mark() when it is opened to append (see UndoJournal)
   };
-  using Shape = std::vector<std::size_t>;
+  using Shape = Expected::Shape;
 
   /// Waits some seconds for another process that has the file open (see FileLock).
   Store(std::filesystem::path file, Mode mode, Safety safety = Safety::plain);
@@ -42,11 +42,18 @@ class Store {
   void append(std::string const& path, std::span<double const> values, Shape const& row_shape = {});
   void append(std::string const& path, std::span<std::int64_t const> values, Shape const& row_shape = {});
 
-  std::vector<double> read_doubles(std::string const& path) const;
-  std::vector<std::int64_t> read_integers(std::string const& path) const;
+  /// A dataset whole, row after row. Integers are numbers, too, but no number with a point is an integer.
+  std::vector<double> read_doubles(std::string const& path, Expected const& expected = {}) const;
+  std::vector<std::int64_t> read_integers(std::string const& path, Expected const& expected = {}) const;
+  /// One row of a dataset with rows; `expected` describes all of it, its bounds are those of the row.
+  std::vector<double> read_row(std::string const& path, std::size_t row, Expected const& expected = {}) const;
+  std::vector<std::int64_t> read_integer_row(std::string const& path, std::size_t row,
+                                             Expected const& expected = {}) const;
   std::string read_text(std::string const& path) const;
-  Shape shape(std::string const& path) const;
+  Shape shape(std::string const& path) const;     ///< empty for a single number
+  std::size_t rows(std::string const& path) const; ///< the first extent; a single number is refused
   bool contains(std::string const& path) const;
+  bool is_group(std::string const& path) const;
   std::vector<std::string> list(std::string const& group) const; ///< names in a group, sorted
 
   /// Attributes of a group or dataset (created as a group if it is not there). An old value is replaced.
@@ -56,11 +63,16 @@ class Store {
                      std::span<std::int64_t const> values);
   void set_attribute(std::string const& object, std::string const& name, std::string const& text);
   void set_attribute(std::string const& object, std::string const& name, std::span<std::string const> texts);
-  /// As ASCII characters of fixed length, which VTK wants; read_text_attribute does not read it.
+  /// As ASCII characters of fixed length, which VTK wants.
   void set_ascii_attribute(std::string const& object, std::string const& name, std::string const& text);
-  double read_double_attribute(std::string const& object, std::string const& name) const;
-  std::int64_t read_integer_attribute(std::string const& object, std::string const& name) const;
+  /// One number or one text: an array of several is refused.
+  double read_double_attribute(std::string const& object, std::string const& name,
+                               Bounds const& bounds = {}) const;
+  std::int64_t read_integer_attribute(std::string const& object, std::string const& name,
+                                      Bounds const& bounds = {}) const;
   std::string read_text_attribute(std::string const& object, std::string const& name) const;
+  /// One text or several.
+  std::vector<std::string> read_text_attributes(std::string const& object, std::string const& name) const;
   bool has_attribute(std::string const& object, std::string const& name) const;
 
   /// Makes the second path another name of the first object (a hard link).

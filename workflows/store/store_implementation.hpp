@@ -99,12 +99,17 @@ class Store::Implementation {
     return path == "/" || H5Lexists(handle.get(), path.c_str(), H5P_DEFAULT) > 0;
   }
 
-  Hdf5Handle open_dataset(std::string const& path) const {
-    if (!contains(path))
-      throw InputError(fmt::format("'{}' has no dataset '{}'", file.string(), path));
-    return check({H5Dopen2(handle.get(), path.c_str(), H5P_DEFAULT), H5Dclose},
-                 "open dataset '" + path + "' of");
-  }
+  /// What the file itself does not give is the fault of the input, unless the machine names a cause.
+  [[noreturn]] void refuse(std::string const& what) const;
+  Hdf5Handle opened(Hdf5Handle handle, std::string const& what) const;
+  Hdf5Handle open_dataset(std::string const& path) const;
+  Hdf5Handle open_attribute(std::string const& path, std::string const& name) const;
+  Shape shape_of(Hdf5Handle const& dataset) const;
+  /// The whole dataset, or one row of it.
+  template <class T>
+  std::vector<T> read(std::string const& path, Expected const& expected, std::optional<std::size_t> row) const;
+  template <class T>
+  T read_number_attribute(std::string const& path, std::string const& name, Bounds const& bounds) const;
 
   Hdf5Handle create_dataset(std::string const& path, hid_t type, Hdf5Handle const& space,
                             Hdf5Handle const& layout = {H5Pcreate(H5P_DATASET_CREATE), H5Pclose}) const {
@@ -170,28 +175,6 @@ class Store::Implementation {
           what);
   }
 
-  Shape shape_of(Hdf5Handle const& dataset) const {
-    Hdf5Handle const space(H5Dget_space(dataset.get()), H5Sclose);
-    std::vector<hsize_t> size(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.get()))));
-    H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
-    return {size.begin(), size.end()};
-  }
-
-  template <class T>
-  std::vector<T> read(std::string const& path) const {
-    auto const dataset = open_dataset(path);
-    Hdf5Handle const type(H5Dget_type(dataset.get()), H5Tclose);
-    auto const kind = H5Tget_class(type.get());
-    bool const fits = kind == H5T_INTEGER || (kind == H5T_FLOAT && std::is_same_v<T, double>);
-    if (!fits)
-      throw InputError(fmt::format("dataset '{}' of '{}' does not hold {}", path, file.string(),
-                                   std::is_same_v<T, double> ? "numbers" : "integers"));
-    std::vector<T> values(product(shape_of(dataset)));
-    check(H5Dread(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          "read dataset '" + path + "' of");
-    return values;
-  }
-
   Hdf5Handle open_or_create_object(std::string const& path) const {
     if (contains(path))
       return check({H5Oopen(handle.get(), path.c_str(), H5P_DEFAULT), H5Oclose}, "open '" + path + "' of");
@@ -210,26 +193,6 @@ class Store::Implementation {
         check({H5Acreate2(object.get(), name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose},
               what);
     check(H5Awrite(attribute.get(), type, data), what);
-  }
-
-  bool has_attribute(std::string const& path, std::string const& name) const {
-    return contains(path) && H5Aexists_by_name(handle.get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
-  }
-
-  Hdf5Handle open_attribute(std::string const& path, std::string const& name) const {
-    if (!has_attribute(path, name))
-      throw InputError(fmt::format("'{}' has no attribute '{}' at '{}'", file.string(), name, path));
-    return check(
-        {H5Aopen_by_name(handle.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose},
-        "open attribute '" + name + "' of");
-  }
-
-  template <class T>
-  T read_number_attribute(std::string const& path, std::string const& name) const {
-    auto const attribute = open_attribute(path, name);
-    T value{};
-    check(H5Aread(attribute.get(), memory_type<T>(), &value), "read attribute '" + name + "' of");
-    return value;
   }
 };
 
