@@ -1,4 +1,5 @@
 #include "fitting/toml_reader.hpp"
+#include "fitting/toml_depth.hpp"
 #include <algorithm>
 
 namespace mesobridge::fitting {
@@ -88,6 +89,7 @@ void TomlReader::refuse_unknown() const {
 }
 
 toml::table parse_toml(std::string_view text, std::string const& file) {
+  refuse_deep_toml(text, file);
   try {
     return toml::parse(text, file);
   } catch (toml::parse_error const& error) {

@@ -37,7 +37,7 @@ class TomlReader {
   std::vector<std::string> known_;
 };
 
-/// Throws InputError with file and line when the text is no TOML.
+/// Throws InputError with file and line when the text is no TOML, or nested too deep (see refuse_deep_toml).
 toml::table parse_toml(std::string_view text, std::string const& file);
 
 } // namespace mesobridge::fitting

@@ -1,3 +1,5 @@
+#include "fitting/toml_depth.hpp"
+#include "fitting/toml_reader.hpp"
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/checks.hpp"
@@ -12,14 +14,6 @@ namespace mesobridge::workflows {
 
 namespace {
 
-toml::table parse_toml(std::string const& text, std::string const& name) {
-  try {
-    return toml::parse(text, name);
-  } catch (toml::parse_error const& error) {
-    throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
-  }
-}
-
 std::string text_of(toml::node const& node) {
   std::ostringstream out;
   out << toml::toml_formatter(node, toml::format_flags::none); // texts in double quotes, as people write them
@@ -28,8 +22,10 @@ std::string text_of(toml::node const& node) {
 
 /// The right-hand side of --set: TOML if it is that, a text otherwise (so that the shell may eat the quotes).
 toml::table override_value(std::string const& value) {
+  auto const line = "value = " + value;
+  fitting::refuse_deep_toml(line, "--set");
   try {
-    auto table = toml::parse("value = " + value);
+    auto table = toml::parse(line);
     if (table.size() == 1)
       return table;
   } catch (toml::parse_error const&) {
@@ -178,7 +174,7 @@ toml::node const* find(toml::table const& scene, SceneKey const& key) {
 
 Scene parse_scene(std::string const& text, std::filesystem::path const& file,
                   std::vector<std::string> const& overrides) {
-  auto table = parse_toml(text, file.string());
+  auto table = fitting::parse_toml(text, file.string());
   Places places(file.string());
   for (auto const& assignment : overrides)
     apply_override(table, assignment, places);
@@ -213,7 +209,7 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
 
 std::string place_of(std::filesystem::path const& file, std::vector<std::string> const& overrides,
                      std::string const& key) {
-  auto table = parse_toml(read_text_file(file), file.string());
+  auto table = fitting::parse_toml(read_text_file(file), file.string());
   Places places(file.string());
   for (auto const& assignment : overrides)
     apply_override(table, assignment, places);
