@@ -10,7 +10,8 @@ namespace {
 class CellGrid {
  public:
   CellGrid(std::span<Vec3 const> q, Box const& box, double reach) : box_(box) {
-    auto const count = [&](double edge) { return std::max(1, int(std::min(edge / reach, 1000.0))); };
+    double const most = std::cbrt(double(q.size())) + 1; // along an axis: about a cell for each atom
+    auto const count = [&](double edge) { return std::max(1, int(std::min(edge / reach, most))); };
     nx_ = count(box.edge.x), ny_ = count(box.edge.y), nz_ = count(box.edge.z);
     cells_.resize(std::size_t(nx_) * std::size_t(ny_) * std::size_t(nz_));
     for (std::size_t i = 0; i < q.size(); ++i)

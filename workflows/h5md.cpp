@@ -44,7 +44,8 @@ H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units un
 
 std::int64_t H5mdWriter::last_step() const {
   std::string const steps = std::string(particles) + "/position/step";
-  return store_.contains(steps) ? store_.read_integers(steps).back() : -1;
+  auto const rows = store_.contains(steps) ? store_.rows(steps) : 0;
+  return rows > 0 ? store_.read_integer_row(steps, rows - 1, {.row_shape = Store::Shape{}}).at(0) : -1;
 }
 
 void H5mdWriter::describe(std::string const& group, std::string const& unit) {

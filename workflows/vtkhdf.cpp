@@ -33,7 +33,8 @@ VtkHdfWriter VtkHdfWriter::continue_file(std::filesystem::path const& file) {
 }
 
 std::int64_t VtkHdfWriter::last_step() const {
-  return store_.contains(step_numbers) ? store_.read_integers(step_numbers).back() : -1;
+  auto const rows = store_.contains(step_numbers) ? store_.rows(step_numbers) : 0;
+  return rows > 0 ? store_.read_integer_row(step_numbers, rows - 1, {.row_shape = Store::Shape{}}).at(0) : -1;
 }
 
 /// Every particle is a cell of its own, of the type VTK_VERTEX; written once, used by all steps.
@@ -74,7 +75,7 @@ void VtkHdfWriter::append_step(ParticleFrame const& frame, std::int64_t done) {
 
 void VtkHdfWriter::append(ParticleFrame const& frame) {
   frame.check();
-  auto const done = store_.read_integer_attribute(root + "Steps", "NSteps");
+  auto const done = store_.read_integer_attribute(root + "Steps", "NSteps", {.least = 0, .most = 1e9});
   if (done == 0) {
     write_vertices(frame.positions.size());
     store_.write(root + "PointData/id",

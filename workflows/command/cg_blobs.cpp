@@ -3,11 +3,13 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
 #include "workflows/star/blob_file.hpp"
+#include "workflows/star/energy_check.hpp"
 #include "workflows/star/mapping_file.hpp"
 #include "workflows/star/trajectory_file.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 
@@ -15,80 +17,221 @@ namespace {
 
 struct Options {
   std::filesystem::path trajectory, mapping;
-  double time_step = 0.001;
+  std::optional<double> time_step;
+  std::string group;
 };
 
-cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame) {
-  cg::BlobFrame result{.step = frame.step, .time = frame.time, .box = frame.box, .blobs = {}};
+double longest_cutoff(cg::MoleculeModel const& model) {
+  double longest = 0;
+  for (auto const& law : model.pairs)
+    longest = std::max(longest, law.cutoff());
+  return longest;
+}
+
+/// Along walls nothing is folded: the centre of mass lies where the atoms do.
+void unfold(cg::Blob& blob, cg::MoleculeModel const& model, std::span<Vec3 const> q,
+            std::array<bool, 3> const& periodic) {
+  Vec3 moment;
+  for (std::size_t i = 0; i < q.size(); ++i)
+    moment += model.masses[i] * q[i];
+  Vec3 const R = moment / model.mass();
+  if (!periodic[0])
+    blob.R.x = R.x;
+  if (!periodic[1])
+    blob.R.y = R.y;
+  if (!periodic[2])
+    blob.R.z = R.z;
+}
+
+cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame, Box const& box) {
+  cg::BlobFrame result{.step = frame.step, .time = frame.time.value_or(0), .box = box, .blobs = {}};
   auto const n = std::size_t(maker.model().atoms());
-  auto const others = cg::intermolecular(maker.model(), frame.q, frame.box);
+  auto const others = cg::intermolecular(maker.model(), frame.q, box);
   for (std::size_t m = 0; m < frame.q.size() / n; ++m) {
-    auto blob = maker.blob(std::span(frame.q).subspan(m * n, n), std::span(frame.v).subspan(m * n, n), {}, {},
-                           frame.box);
+    auto const q = std::span(frame.q).subspan(m * n, n);
+    auto blob = maker.blob(q, std::span(frame.v).subspan(m * n, n), {}, {}, box);
+    unfold(blob, maker.model(), q, frame.periodic);
     blob.Phi = others.Phi[m];
     blob.F = others.F[m];
     result.blobs.push_back(blob);
   }
   for (std::size_t m = 0; m < result.blobs.size(); ++m)
-    if (auto const& blob = result.blobs[m]; !std::isfinite(blob.U_pot + blob.Phi + norm(blob.F)))
-      throw InputError(fmt::format("molecule {} has atoms on top of others at step {}: its energy has no "
-                                   "value. Is the trajectory's start overlapping, or the mapping another "
-                                   "molecule's?",
-                                   m + 1, frame.step));
+    if (auto const& blob = result.blobs[m];
+        !std::isfinite(blob.U_pot + blob.Phi + norm(blob.F) + blob.U_kin + norm2(blob.P)))
+      throw InputError(
+          fmt::format("molecule {} has an energy or a force without a value at step {}: are its atoms "
+                      "on top of others, or the mapping another molecule's?",
+                      m + 1, frame.step));
   cg::refuse_large_molecules(result);
   result.energy = cg::total_energy(result.blobs, maker.model().mass());
+  result.box = frame.box;
   return result;
 }
 
+std::string walls_of(TrajectoryFrame const& frame) {
+  std::string walls;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!frame.periodic[axis])
+      walls += "xyz"[axis];
+  return walls;
+}
+
+/// Times as the file says them; otherwise from the time step of the command line; otherwise steps.
+class Clock {
+ public:
+  explicit Clock(std::optional<double> time_step) : time_step_(time_step) {}
+
+  double time(TrajectoryFrame const& frame) {
+    if (time_step_ && frame.time)
+      compare(frame);
+    if (frame.time)
+      return *frame.time;
+    counts_steps_ = !time_step_;
+    return double(frame.step) * time_step_.value_or(1);
+  }
+  bool counts_steps() const { return counts_steps_; }
+
+ private:
+  void compare(TrajectoryFrame const& frame) {
+    if (!first_)
+      first_ = {frame.step, *frame.time};
+    constexpr double rounded = 1e-3;
+    double const by_steps = double(frame.step - first_->first) * *time_step_,
+                 by_file = *frame.time - first_->second;
+    if (!(std::abs(by_steps - by_file) <= rounded * std::abs(by_file)))
+      throw InputError(fmt::format(
+          "--dt {}: by the trajectory itself {} time units pass from step {} to step {}, "
+          "which are {} a step",
+          *time_step_, by_file, first_->first, frame.step, by_file / double(frame.step - first_->first)));
+  }
+
+  std::optional<double> time_step_;
+  std::optional<std::pair<std::int64_t, double>> first_;
+  bool counts_steps_ = false;
+};
+
+/// Takes the frames one by one into the file, which is gone again if one of them is refused.
+class Conversion {
+ public:
+  Conversion(Options const& options, Context const& context)
+      : options_(options), context_(context), mapping_(read_mapping(options.mapping)), maker_(mapping_.model),
+        path_(context.output_directory("out/blobs") / "blobs.h5"), clock_(options.time_step),
+        energies_(maker_.model()), reach_(longest_cutoff(mapping_.model)) {
+    std::error_code none;
+    if (std::filesystem::equivalent(options.trajectory, path_, none))
+      throw InputError(fmt::format("'{}' would be replaced by its own blobs: choose another folder with -o",
+                                   path_.string()));
+  }
+
+  Result run() {
+    try {
+      read_trajectory(options_.trajectory, reading(), [&](TrajectoryFrame const& frame) { take(frame); });
+    } catch (...) {
+      if (file_)
+        remove_unfinished();
+      throw;
+    }
+    if (!file_)
+      throw InputError(fmt::format("'{}' holds no frame", options_.trajectory.string()));
+    file_->close();
+    return result();
+  }
+
+ private:
+  void warn(std::string const& warning) {
+    context_.log->warn("{}", warning);
+    warnings_.push_back(warning);
+  }
+
+  TrajectoryReading reading() {
+    return {.atoms_per_molecule = std::size_t(mapping_.model.atoms()),
+            .masses = mapping_.masses,
+            .units = mapping_.units,
+            .units_given = mapping_.units_given,
+            .group = options_.group,
+            .warn = [this](std::string const& warning) { warn(warning); }};
+  }
+
+  void take(TrajectoryFrame const& frame) {
+    auto const box = frame.image_box(reach_);
+    std::vector<cg::BlobFrame> one{blobs_of(maker_, frame, box)};
+    one[0].time = clock_.time(frame);
+    if (!file_)
+      begin(frame, one[0].blobs.size());
+    if (one[0].blobs.size() != molecules_ || walls_of(frame) != walls_)
+      throw InputError(
+          fmt::format("'{}' has {} molecules and walls along '{}' at step {}, {} and '{}' before",
+                      options_.trajectory.string(), one[0].blobs.size(), walls_of(frame), frame.step,
+                      molecules_, walls_));
+    file_->append(one);
+    energies_.add(one[0], frame.potential_energy, bond_energy(maker_.model(), frame.q, box));
+    ++frames_;
+  }
+
+  void begin(TrajectoryFrame const& frame, std::size_t molecules) {
+    molecules_ = molecules, walls_ = walls_of(frame);
+    if (clock_.counts_steps())
+      warn("the trajectory says no times and --dt is not given: times are numbers of steps");
+    BlobFileHead const head{.kind = "melt",
+                            .name = mapping_.name,
+                            .fingerprint = "trajectory " + options_.trajectory.string(),
+                            .molecules = int(molecules),
+                            .atoms = mapping_.model.atoms(),
+                            .mass = mapping_.model.mass(),
+                            .rho = double(frame.q.size()) / frame.box.volume(),
+                            .T = 0,
+                            .set = {},
+                            .units = mapping_.units.name,
+                            .walls = walls_,
+                            .time_unit = clock_.counts_steps() ? "steps" : ""};
+    file_.emplace(path_, head,
+                  Provenance{.command = context_.command_line(),
+                             .seed = 0,
+                             .scene = "",
+                             .inputs = {options_.trajectory, options_.mapping}});
+  }
+
+  void remove_unfinished() {
+    file_.reset();
+    Store::mend(path_);
+    std::error_code none;
+    std::filesystem::remove(path_, none);
+  }
+
+  Result result() {
+    for (auto const& warning : energies_.warnings())
+      warn(warning);
+    Result result;
+    result.json = {
+        {"file", path_.string()}, {"molecules", molecules_},
+        {"frames", frames_},      {"units", mapping_.units.name},
+        {"walls", walls_},        {"time_unit", clock_.counts_steps() ? "steps" : mapping_.units.name}};
+    energies_.put(result.json);
+    result.json["warnings"] = warnings_;
+    write_summary(path_.parent_path() / "blobs.json", result.json);
+    result.text = fmt::format("{} molecules in {} frames: {}", molecules_, frames_, path_.string());
+    return result;
+  }
+
+  Options const& options_;
+  Context const& context_;
+  Mapping mapping_;
+  cg::BlobMaker maker_;
+  std::filesystem::path path_;
+  Clock clock_;
+  EnergyCheck energies_;
+  double reach_;
+  std::optional<BlobFile> file_;
+  std::size_t frames_ = 0, molecules_ = 0;
+  std::string walls_;
+  std::vector<std::string> warnings_;
+};
+
 Result blobs(Options const& options, Context const& context) {
-  require(options.time_step > 0, "--dt", options.time_step, "must be > 0");
-  auto const mapping = read_mapping(options.mapping);
-  cg::BlobMaker maker(mapping.model);
-  auto const directory = context.output_directory("out/blobs");
-  auto const path = directory / "blobs.h5";
-  std::optional<BlobFile> file;
-  std::size_t frames = 0, molecules = 0;
-  std::vector<double> energies;
-  read_trajectory(options.trajectory, std::size_t(mapping.model.atoms()), options.time_step,
-                  [&](TrajectoryFrame const& frame) {
-                    std::vector<cg::BlobFrame> const one{blobs_of(maker, frame)};
-                    if (!file) {
-                      molecules = one[0].blobs.size();
-                      BlobFileHead const head{.kind = "melt",
-                                              .name = mapping.name,
-                                              .fingerprint = "trajectory " + options.trajectory.string(),
-                                              .molecules = int(molecules),
-                                              .atoms = mapping.model.atoms(),
-                                              .mass = mapping.model.mass(),
-                                              .rho = double(frame.q.size()) / frame.box.volume(),
-                                              .T = 0,
-                                              .set = {}};
-                      file.emplace(path, head,
-                                   Provenance{.command = context.command_line(),
-                                              .seed = 0,
-                                              .scene = "",
-                                              .inputs = {options.trajectory, options.mapping}});
-                    }
-                    if (one[0].blobs.size() != molecules)
-                      throw InputError(fmt::format("'{}' has {} molecules at step {}, {} before",
-                                                   options.trajectory.string(), one[0].blobs.size(),
-                                                   frame.step, molecules));
-                    file->append(one);
-                    energies.push_back(one[0].energy);
-                    ++frames;
-                  });
-  if (!file)
-    throw InputError(fmt::format("'{}' holds no frame", options.trajectory.string()));
-  file->close();
-  Result result;
-  result.json = {{"file", path.string()},
-                 {"molecules", molecules},
-                 {"frames", frames},
-                 {"energy_first", energies.front()},
-                 {"energy_last", energies.back()}};
-  write_summary(directory / "blobs.json", result.json);
-  result.text = fmt::format("{} molecules in {} frames: {}", molecules, frames, path.string());
-  return result;
+  if (options.time_step)
+    require(*options.time_step > 0 && std::isfinite(*options.time_step), "--dt", *options.time_step,
+            "must be > 0");
+  return Conversion(options, context).run();
 }
 
 } // namespace
@@ -102,10 +245,15 @@ Command cg_blobs_command() {
             app.add_option("file", options->trajectory, "LAMMPS text dump with velocities, or H5MD (.h5)")
                 ->required()
                 ->type_name("FILE");
-            app.add_option("--mapping", options->mapping, "Atoms, bonds and pair potential of a molecule")
+            app.add_option("--mapping", options->mapping,
+                           "Units, atoms, bonds and pair potential of a molecule; a bond's energy is "
+                           "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K")
                 ->required()
                 ->type_name("FILE.toml");
-            app.add_option("--dt", options->time_step, "Time step of a dump (default 0.001)");
+            app.add_option("--dt", options->time_step,
+                           "Time step of a dump without ITEM: TIME (not given: times are steps)");
+            app.add_option("--group", options->group,
+                           "Group of particles in an H5MD file (needed if it has several)");
             return [options](Context& context) { return blobs(*options, context); };
           }};
 }

@@ -21,6 +21,7 @@ Result correlations(Options const& options, Context const& context) {
   if (!(data.head.rho > 0))
     throw InputError(fmt::format("'{}' holds isolated molecules: correlations are those of a melt",
                                  options.input.string()));
+  refuse_walls(data.head, options.input, "correlations");
   settings.h = options.h.value_or(default_h(data.head));
   auto const series = series_of(std::move(data));
   settings.pair_stride = options.pair_stride ? *options.pair_stride : default_pair_stride(series);

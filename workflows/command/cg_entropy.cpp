@@ -17,10 +17,16 @@ Result entropy(Options const& options, Context const& context) {
   EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
   Provenance provenance{
       .command = context.command_line(), .seed = context.options.seed.value_or(0), .scene = "", .inputs = {}};
+  std::string units;
   auto const load = [&](std::optional<std::filesystem::path> const& file, std::optional<BlobData>& into) {
     if (!file)
       return;
     into = read_blobs(*file);
+    auto const text = units_text(into->head);
+    if (!units.empty() && text != units)
+      throw InputError(
+          fmt::format("'{}' is in units of {}, the file before in {}", file->string(), text, units));
+    units = text;
     provenance.inputs.push_back(*file);
   };
   load(options.melt, inputs.melt);
@@ -30,7 +36,7 @@ Result entropy(Options const& options, Context const& context) {
   auto const directory = context.output_directory("out/entropy");
   Result result;
   result.json = entropy_json(routes);
-  result.json["units"] = "reduced Lennard-Jones, k_B = 1, per molecule";
+  result.json["units"] = units + ", k_B = 1, per molecule";
   result.json["provenance"] = provenance_json(provenance);
   auto const file = directory / "entropy.json";
   write_summary(file, result.json);

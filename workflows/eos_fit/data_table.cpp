@@ -119,7 +119,9 @@ DataTable read_hdf5_table(std::filesystem::path const& file) {
     }
   }
   for (auto const& [name, column] : table.columns) {
-    auto const values = store.read_doubles(group + "/" + name);
+    auto const values = store.read_doubles(
+        group + "/" + name,
+        {.least_rows = 1, .row_shape = Store::Shape{}, .bounds = {.finite = false}}); // NaN: an empty cell
     if (table.rows.empty())
       table.rows.resize(values.size());
     if (values.size() != table.rows.size())
@@ -127,7 +129,11 @@ DataTable read_hdf5_table(std::filesystem::path const& file) {
                                    group, name));
     for (std::size_t i = 0; i < values.size(); ++i) {
       table.rows[i].origin = fmt::format("{}: {}[{}]", file.string(), group, i);
-      if (!std::isnan(values[i])) // HDF5's empty cell
+      if (std::isinf(values[i]))
+        throw InputError(
+            fmt::format("'{}': dataset '{}/{}'[{}] = {}: must be a finite number, or NaN for none",
+                        file.string(), group, name, i, values[i]));
+      if (!std::isnan(values[i]))
         table.rows[i].numbers.emplace(name, values[i]);
     }
   }

@@ -18,15 +18,19 @@ auto column(std::span<md::ThermoSample const> samples, Member md::ThermoSample::
 }
 
 LjGridData::Series read_series(Store const& store, std::string const& group) {
-  LjGridData::Series series{.state = {.rho = store.read_double_attribute(group, "rho"),
-                                      .T = store.read_double_attribute(group, "T")},
+  LjGridData::Series series{.state = {.rho = store.read_double_attribute(group, "rho", {.above = 0}),
+                                      .T = store.read_double_attribute(group, "T", {.above = 0})},
                             .samples = {}};
   if (!store.contains(group + "/step"))
     return series; // interrupted before its first sample
-  auto const step = store.read_integers(group + "/step");
-  auto const T = store.read_doubles(group + "/T"), U = store.read_doubles(group + "/U"),
-             P = store.read_doubles(group + "/P");
-  // A run that was killed between two columns leaves the later ones shorter.
+  Expected const numbers{.row_shape = Store::Shape{}};
+  auto const step = store.read_integers(group + "/step", numbers);
+  auto const read = [&](std::string const& name) {
+    // A run that was killed between two columns leaves the later ones away, or shorter.
+    return store.contains(group + "/" + name) ? store.read_doubles(group + "/" + name, numbers)
+                                              : std::vector<double>();
+  };
+  auto const T = read("T"), U = read("U"), P = read("P");
   auto const length = std::min({step.size(), T.size(), U.size(), P.size()});
   for (std::size_t i = 0; i < length; ++i)
     series.samples.push_back({.step = step[i], .T = T[i], .U = U[i], .P = P[i]});
@@ -72,14 +76,17 @@ void LjGridFile::close(bool complete) {
 
 LjGridData read_lj_grid(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
-  if (!store.contains("states") || !store.has_attribute("settings", "atoms"))
+  if (!store.is_group("states") || !store.has_attribute("settings", "atoms"))
     throw InputError(fmt::format("'{}' holds no runs of `md lj-grid`", file.string()));
   LjGridData data;
-  data.atoms = static_cast<int>(store.read_integer_attribute("settings", "atoms"));
+  data.atoms = static_cast<int>(store.read_integer_attribute(
+      "settings", "atoms", {.least = 1, .most = std::numeric_limits<int>::max()}));
   data.description = store.read_text_attribute("settings", "description");
   data.complete = store.read_integer_attribute("settings", "complete") != 0;
   for (auto const& name : store.list("states"))
     data.series.push_back(read_series(store, "states/" + name));
+  if (data.series.empty())
+    throw InputError(fmt::format("'{}' holds no state: the group 'states' is empty", file.string()));
   return data;
 }
 

@@ -120,26 +120,28 @@ Json state_grid_json(cg::StateGrid const& grid) {
 
 cg::StateGrid read_state_grid(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
-  if (!store.contains("state_grid"))
+  if (!store.is_group("state_grid"))
     throw InputError(fmt::format("'{}' holds no table of `cg state-grid`", file.string()));
   cg::StateGrid grid;
-  grid.points.resize(store.read_doubles("state_grid/rho").size());
-  auto const refuse_length = [&](std::string const& name, std::size_t size) {
-    if (size != grid.points.size())
-      throw InputError(fmt::format("'{}': column '{}' has another length than 'rho'", file.string(), name));
-  };
+  auto const rows = store.rows("state_grid/rho");
+  Expected const as_rho{.rows = rows, .least_rows = 1, .row_shape = Store::Shape{}};
+  Expected counts = as_rho;
+  counts.bounds = {.least = 0, .most = std::numeric_limits<int>::max()};
   for (auto const& column : columns()) {
-    auto const values = store.read_doubles("state_grid/" + column.name);
-    refuse_length(column.name, values.size());
+    auto const values = store.read_doubles("state_grid/" + column.name, as_rho);
+    grid.points.resize(rows);
     for (std::size_t i = 0; i < values.size(); ++i)
       column.of(grid.points[i]) = values[i];
   }
   for (auto const& column : count_columns()) {
-    auto const values = store.read_integers("state_grid/" + column.name);
-    refuse_length(column.name, values.size());
+    auto const values = store.read_integers("state_grid/" + column.name, counts);
     for (std::size_t i = 0; i < values.size(); ++i)
       column.set(grid.points[i], values[i]);
   }
+  for (std::size_t i = 0; i < rows; ++i)
+    if (!(grid.points[i].rho > 0) || !(grid.points[i].T > 0))
+      throw InputError(fmt::format("'{}': row {} of state_grid has rho = {}, T = {}: both must be > 0",
+                                   file.string(), i, grid.points[i].rho, grid.points[i].T));
   return grid;
 }
 

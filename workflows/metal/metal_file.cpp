@@ -18,18 +18,19 @@ constexpr std::pair<char const*, double md::MetalSample::*> columns[] = {
     {"displacement_2_m2", &md::MetalSample::displacement_2}};
 
 MetalSeries read_series(Store const& store, std::string const& group) {
-  MetalSeries series{.state = {.rho = store.read_double_attribute(group, "rho_kg_m3"),
-                               .T = store.read_double_attribute(group, "T_K")},
+  MetalSeries series{.state = {.rho = store.read_double_attribute(group, "rho_kg_m3", {.above = 0}),
+                               .T = store.read_double_attribute(group, "T_K", {.above = 0})},
                      .samples = {},
                      .end = {}};
   if (!store.contains(group + "/step"))
     return series; // interrupted before its first sample
-  auto const steps = store.read_integers(group + "/step");
+  Expected const numbers{.row_shape = Store::Shape{}};
+  auto const steps = store.read_integers(group + "/step", numbers);
   auto length = steps.size();
   std::vector<std::vector<double>> values;
   for (auto const& [name, member] : columns) {
     // A run that was killed between two columns leaves the later ones shorter.
-    values.push_back(store.contains(group + "/" + name) ? store.read_doubles(group + "/" + name)
+    values.push_back(store.contains(group + "/" + name) ? store.read_doubles(group + "/" + name, numbers)
                                                         : std::vector<double>{});
     length = std::min(length, values.back().size());
   }
@@ -112,7 +113,7 @@ MetalData read_metal_file(std::filesystem::path const& file) {
   if (!store.has_attribute("settings", "fingerprint"))
     throw InputError(fmt::format("'{}' holds no runs of `md metal-grid` or `md hugoniot`", file.string()));
   MetalData data{.fingerprint = store.read_text_attribute("settings", "fingerprint"), .series = {}};
-  if (store.contains("states"))
+  if (store.is_group("states"))
     for (auto const& name : store.list("states"))
       data.series.push_back(read_series(store, "states/" + name));
   return data;

@@ -7,8 +7,8 @@ namespace mesobridge::workflows {
 inline std::int64_t last_step(Store const& store, std::string const& dataset) {
   if (!store.contains(dataset))
     return -1;
-  auto const steps = store.read_integers(dataset);
-  return steps.empty() ? -1 : steps.back();
+  auto const rows = store.rows(dataset);
+  return rows > 0 ? store.read_integer_row(dataset, rows - 1, {.row_shape = Store::Shape{}}).at(0) : -1;
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,6 @@
 #include "workflows/star/blob_file.hpp"
 #include "md/error.hpp"
+#include "workflows/star/unit_system.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -29,17 +30,27 @@ std::vector<double> flat(cg::BlobFrame const& frame, Vec3 cg::Blob::*member) {
 }
 
 BlobFileHead read_head(Store const& store) {
+  constexpr double most = 1e9; // of counts that are multiplied with each other
   BlobFileHead head;
   head.kind = store.read_text_attribute("settings", "kind");
   head.name = store.read_text_attribute("settings", "name");
   head.fingerprint = store.read_text_attribute("settings", "fingerprint");
-  head.molecules = int(store.read_integer_attribute("settings", "molecules"));
-  head.atoms = int(store.read_integer_attribute("settings", "atoms_per_molecule"));
-  head.mass = store.read_double_attribute("settings", "mass");
-  head.rho = store.read_double_attribute("settings", "rho");
-  head.T = store.read_double_attribute("settings", "T");
+  head.molecules = int(store.read_integer_attribute("settings", "molecules", {.least = 1, .most = most}));
+  head.atoms =
+      int(store.read_integer_attribute("settings", "atoms_per_molecule", {.least = 1, .most = most}));
+  head.mass = store.read_double_attribute("settings", "mass", {.above = 0});
+  head.rho = store.read_double_attribute("settings", "rho", {.least = 0});
+  head.T = store.read_double_attribute("settings", "T", {.least = 0});
   if (store.contains("settings/set"))
-    head.set = store.read_doubles("settings/set");
+    head.set = store.read_doubles("settings/set",
+                                  {.rows = std::size_t(head.molecules), .row_shape = Store::Shape{}});
+  auto const if_there = [&](char const* name, std::string& into) {
+    if (store.has_attribute("settings", name))
+      into = store.read_text_attribute("settings", name);
+  };
+  if_there("unit_system", head.units);
+  if_there("walls", head.walls);
+  if_there("time_unit", head.time_unit);
   return head;
 }
 
@@ -55,10 +66,10 @@ namespace {
 
 /// Versions without marks left columns of different lengths when they were killed while they wrote.
 void refuse_ragged(Store const& store, std::filesystem::path const& file) {
-  auto const frames = store.shape("frames/step")[0];
+  auto const frames = store.rows("frames/step");
   for (std::string const group : {"frames", "blobs"})
     for (auto const& name : store.list(group))
-      if (auto const rows = store.shape(group + "/" + name)[0]; rows != frames || rows == 0)
+      if (auto const rows = store.rows(group + "/" + name); rows != frames || rows == 0)
         throw InputError(fmt::format("'{}': {}/{} has {} rows, frames/step {}: the run that wrote it was "
                                      "broken off in the middle; make it again without --resume",
                                      file.string(), group, name, rows, frames));
@@ -77,6 +88,13 @@ BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, 
   store_.set_attribute("settings", "mass", head.mass);
   store_.set_attribute("settings", "rho", head.rho);
   store_.set_attribute("settings", "T", head.T);
+  BlobFileHead const usual;
+  if (head.units != usual.units)
+    store_.set_attribute("settings", "unit_system", head.units);
+  if (head.walls != usual.walls)
+    store_.set_attribute("settings", "walls", head.walls);
+  if (head.time_unit != usual.time_unit)
+    store_.set_attribute("settings", "time_unit", head.time_unit);
   if (!head.set.empty())
     store_.write("settings/set", std::span<double const>(head.set));
   store_.mark();
@@ -95,7 +113,7 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
   BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked));
   if (auto const& store = blobs.store_; store.contains("frames/step")) {
     refuse_ragged(store, file);
-    blobs.last_step_ = store.read_integers("frames/step").back();
+    blobs.last_step_ = store.read_integer_row("frames/step", store.rows("frames/step") - 1).at(0);
   }
   return blobs;
 }
@@ -133,6 +151,18 @@ BlobFileHead read_blob_head(std::filesystem::path const& file) {
   return read_head(store);
 }
 
+void refuse_walls(BlobFileHead const& head, std::filesystem::path const& file, std::string const& what) {
+  if (!head.walls.empty())
+    throw InputError(fmt::format("'{}': the box is not periodic along {}: {} are those of a periodic box",
+                                 file.string(), head.walls, what));
+}
+
+std::string units_text(BlobFileHead const& head) {
+  return head.units == "lj" ? "reduced Lennard-Jones"
+                            : fmt::format("LAMMPS {} ({}); masses so that m v^2 is an energy", head.units,
+                                          unit_system(head.units).description);
+}
+
 BlobData read_blobs(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
   refuse_other(store, file);
@@ -141,20 +171,29 @@ BlobData read_blobs(std::filesystem::path const& file) {
   if (!store.contains("frames/step"))
     throw InputError(
         fmt::format("'{}' holds no frame yet: the run has not reached its sampling", file.string()));
-  std::size_t const frames = store.shape("frames/step")[0];
-  std::size_t const blobs = frames * std::size_t(data.head.molecules);
   refuse_ragged(store, file);
-  data.steps = store.read_integers("frames/step");
-  data.times = store.read_doubles("frames/time");
-  data.energies = store.read_doubles("frames/energy");
-  data.pressures = store.read_doubles("frames/pressure");
-  for (auto const& edge : vectors(store.read_doubles("frames/box"), frames))
+  std::size_t const frames = store.rows("frames/step"), molecules = std::size_t(data.head.molecules);
+  Expected const number{.rows = frames, .row_shape = Store::Shape{}},
+      of_blobs{.rows = frames, .row_shape = Store::Shape{molecules}},
+      vectors_of_blobs{.rows = frames, .row_shape = Store::Shape{molecules, 3}};
+  data.steps = store.read_integers("frames/step", number);
+  data.times = store.read_doubles("frames/time", number);
+  data.energies = store.read_doubles("frames/energy", number);
+  data.pressures = store.read_doubles("frames/pressure", number);
+  for (auto const& edge :
+       vectors(store.read_doubles("frames/box",
+                                  {.rows = frames, .row_shape = Store::Shape{3}, .bounds = {.above = 0}}),
+               frames))
     data.boxes.push_back({edge});
-  data.R = vectors(store.read_doubles("blobs/R"), blobs);
-  data.P = vectors(store.read_doubles("blobs/P"), blobs);
-  data.U_kin = store.read_doubles("blobs/U_kin");
-  data.U_pot = store.read_doubles("blobs/U_pot");
-  data.Phi = store.read_doubles("blobs/Phi");
+  data.R = vectors(store.read_doubles("blobs/R", vectors_of_blobs), frames * molecules);
+  data.P = vectors(store.read_doubles("blobs/P", vectors_of_blobs), frames * molecules);
+  data.U_kin = store.read_doubles("blobs/U_kin", of_blobs);
+  data.U_pot = store.read_doubles("blobs/U_pot", of_blobs);
+  data.Phi = store.read_doubles("blobs/Phi", of_blobs);
+  for (std::size_t frame = 1; frame < frames; ++frame)
+    if (!(data.times[frame] > data.times[frame - 1]))
+      throw InputError(fmt::format("'{}': frames/time[{}] = {} is not after {}: times must grow",
+                                   file.string(), frame, data.times[frame], data.times[frame - 1]));
   return data;
 }
 

@@ -14,9 +14,12 @@ struct BlobFileHead {
   int molecules = 0;
   int atoms = 0; ///< of a molecule
   double mass = 0;
-  double rho = 0;          ///< atoms per volume; 0: isolated molecules
-  double T = 0;            ///< of the thermostat; 0: none or several
-  std::vector<double> set; ///< vacuum: the temperature (or the energy) set for each molecule
+  double rho = 0;           ///< atoms per volume; 0: isolated molecules
+  double T = 0;             ///< of the thermostat; 0: none or several
+  std::vector<double> set;  ///< vacuum: the temperature (or the energy) set for each molecule
+  std::string units = "lj"; ///< LAMMPS's unit style; masses are consistent ones (see UnitSystem)
+  std::string walls{};      ///< the axes, "z" say, along which the box is not periodic
+  std::string time_unit{};  ///< "steps" where the trajectory says no time; otherwise that of the unit style
 };
 
 /// A time series of blobs: frames/step, time, box, energy, pressure; blobs/R, P, F, U_kin, U_pot, Phi, one
@@ -57,7 +60,14 @@ struct BlobData {
 /// What a file says about itself. Throws as read_blobs.
 BlobFileHead read_blob_head(std::filesystem::path const& file);
 
-/// Throws InputError if the file is missing or holds something else.
+/// Refuses blobs between walls where the analysis, `what`, wants a periodic box.
+void refuse_walls(BlobFileHead const& head, std::filesystem::path const& file, std::string const& what);
+
+/// "reduced Lennard-Jones", or the units of LAMMPS's style.
+std::string units_text(BlobFileHead const& head);
+
+/// Throws InputError if the file is missing, holds something else, columns of different lengths or values
+/// that cannot be.
 BlobData read_blobs(std::filesystem::path const& file);
 
 } // namespace mesobridge::workflows

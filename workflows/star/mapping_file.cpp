@@ -29,11 +29,17 @@ bool yes(fitting::TomlReader& table, char const* key, std::string const& name) {
 
 void read_bonds(fitting::TomlReader table, cg::MoleculeModel& model) {
   std::size_t const count = count_of(table, "bonds");
-  auto const a = table.numbers("a", count), b = table.numbers("b", count), k = table.numbers("k", count),
-             l = table.numbers("l", count);
+  bool const lammps = table.has("K");
+  if (lammps == table.has("k"))
+    throw InputError(
+        fmt::format("bonds: {}: k (the energy is k (r - l)^2 / 2) or K (LAMMPS's: K (r - l)^2) must "
+                    "be given",
+                    lammps ? "both k and K are there, one of them" : "neither k nor K is there: one"));
+  auto const a = table.numbers("a", count), b = table.numbers("b", count),
+             k = table.numbers(lammps ? "K" : "k", count), l = table.numbers("l", count);
   for (std::size_t i = 0; i < count; ++i) {
     md::HarmonicBond const bond{whole(a[i], "bonds.a", 1, model.atoms()) - 1,
-                                whole(b[i], "bonds.b", 1, model.atoms()) - 1, k[i], l[i]};
+                                whole(b[i], "bonds.b", 1, model.atoms()) - 1, lammps ? 2 * k[i] : k[i], l[i]};
     require(bond.a != bond.b, "bonds.b", b[i], "must be another atom than bonds.a");
     require(bond.k > 0, "bonds.k", bond.k, "must be > 0");
     require(bond.l >= 0, "bonds.l", bond.l, "must be >= 0");
@@ -67,11 +73,15 @@ Mapping read(fitting::TomlReader& reader) {
   if (auto const format = reader.text("format"); format != "mesobridge mapping 1")
     throw InputError(fmt::format("format = '{}': must be \"mesobridge mapping 1\"", format));
   Mapping mapping{.name = reader.text("name"), .model = {}};
+  mapping.units_given = reader.has("units");
+  mapping.units = unit_system(mapping.units_given ? reader.text("units") : "lj");
   auto& model = mapping.model;
   auto const atoms = std::size_t(whole(reader.number("atoms"), "atoms", 1, most_atoms));
-  model.masses = reader.numbers("masses", atoms);
-  for (double const mass : model.masses)
+  mapping.masses = reader.numbers("masses", atoms);
+  for (double const mass : mapping.masses) {
     require(mass > 0, "masses", mass, "must be > 0");
+    model.masses.push_back(mass * mapping.units.energy_of_mv2);
+  }
   model.types.assign(atoms, 0);
   if (reader.has("types")) {
     auto const types = reader.numbers("types", atoms);

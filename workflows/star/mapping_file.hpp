@@ -1,23 +1,26 @@
 #pragma once
 #include "cg/molecule_model.hpp"
+#include "workflows/star/unit_system.hpp"
 #include <filesystem>
-#include <string>
 
 namespace mesobridge::workflows {
 
-/// What one molecule of a user's trajectory is made of, in the units of the trajectory:
+/// What one molecule of a user's trajectory is made of:
 ///
 ///     format = "mesobridge mapping 1"
 ///     name = "dumbbell"
+///     units = "lj"                    # LAMMPS's unit style, of this file and of the trajectory; may be left
+///                                     # out: lj. Others: real, metal, si, cgs, micro, nano
 ///     atoms = 2                       # of a molecule
 ///     masses = [ 1.0, 1.0 ]
 ///     types = [ 1, 1 ]                # from 1; may be left out: all 1
 ///
-///     [bonds]                         # k (r - l)^2 / 2; may be left out
+///     [bonds]                         # may be left out
 ///     count = 1
 ///     a = [ 1 ]                       # atoms of the molecule, from 1
 ///     b = [ 2 ]
-///     k = [ 20.0 ]
+///     k = [ 20.0 ]                    # the energy is k (r - l)^2 / 2. Or, instead,
+///                                     # K = [ 10.0 ], LAMMPS's: K (r - l)^2
 ///     l = [ 1.147 ]
 ///
 ///     [pairs]                         # Lennard-Jones, cut; may be left out
@@ -31,7 +34,10 @@ namespace mesobridge::workflows {
 ///     bonded = "yes"                  # "no": bonded atoms do not interact as pairs
 struct Mapping {
   std::string name;
-  cg::MoleculeModel model;
+  cg::MoleculeModel model; ///< its masses are consistent ones (see UnitSystem)
+  UnitSystem units{};
+  bool units_given = false;     ///< false: the default
+  std::vector<double> masses{}; ///< of the atoms, in the unit system's own unit of mass
 };
 
 /// Throws InputError with file, line, key and what is allowed.

@@ -1,25 +1,50 @@
 #pragma once
 #include "md/box.hpp"
+#include "workflows/star/unit_system.hpp"
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace mesobridge::workflows {
 
-/// One frame of a user's trajectory, atoms in the order of their ids; a molecule's atoms stand together.
+/// One frame of a user's trajectory, atoms in the order of their molecules and ids; a molecule's atoms stand
+/// together. In the units of the mapping.
 struct TrajectoryFrame {
   std::int64_t step = 0;
-  double time = 0;
+  std::optional<double> time{}; ///< as the file says it
   Box box;
+  std::array<bool, 3> periodic{true, true, true}; ///< false: a wall or open; nothing acts across it
   std::vector<Vec3> q, v;
+  std::optional<double> potential_energy{}; ///< of the whole system, as the file says it
+  std::vector<std::int64_t> ids{};          ///< empty: the file has none
+
+  /// A box whose periodic images are all that there are: along an axis that is not periodic it is so long
+  /// that no image is within `reach` of an atom, nor nearer than the atom itself.
+  Box image_box(double reach) const;
 };
 
-/// Hands over the frames of a LAMMPS text dump (columns id, x y z or xu yu zu or xs ys zs, vx vy vz; `mol` if
-/// molecules are not runs of consecutive ids) or of an H5MD file (group `all`). `time_step` turns steps into
-/// times where the file has none. Molecules must be whole: `atoms_per_molecule` atoms each. Throws InputError
-/// that names the file, the line and what is missing; atoms that belong to no whole molecule are an error.
-void read_trajectory(std::filesystem::path const& file, std::size_t atoms_per_molecule, double time_step,
+/// How a trajectory is to be taken, and what it gave.
+struct TrajectoryReading {
+  std::size_t atoms_per_molecule = 1;
+  std::vector<double> masses{}; ///< of a molecule's atoms, to compare with a dump's column `mass`
+  UnitSystem units{};           ///< of the mapping
+  bool units_given = false;     ///< by the mapping; otherwise they are the default
+  std::string group{};          ///< of an H5MD file's particles; empty: the only one
+  std::function<void(std::string const&)> warn = [](std::string const&) {};
+};
+
+/// Hands over the frames of a LAMMPS text dump (columns id, x y z or xu yu zu or xs ys zs or xsu ysu zsu, vx
+/// vy vz; `mol` if molecules are not runs of consecutive ids; others are not needed) or of an H5MD file
+/// (position, velocity and box/edges of one group of particles, each with its own steps: the frames that have
+/// all of them). What the file says about units, times, boundaries and ids is taken; a step that stands there
+/// once more is left out, with a warning, as is a last frame that is not whole.
+///
+/// Throws InputError that names the file, the line or the element, and what is missing: a tilted box, values
+/// that are not finite, steps that decrease, units that contradict the mapping's, atoms of no whole molecule.
+void read_trajectory(std::filesystem::path const& file, TrajectoryReading const& how,
                      std::function<void(TrajectoryFrame const&)> const& consume);
 
 } // namespace mesobridge::workflows

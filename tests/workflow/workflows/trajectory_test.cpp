@@ -1,0 +1,252 @@
+#include "unit/workflows/scratch_directory.hpp"
+#include "workflows/process.hpp"
+#include "workflows/star/blob_file.hpp"
+#include "workflows/text_file.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <regex>
+
+// Trajectories as other programs write them: those of tests/cases, of which another code has computed the
+// blobs (expected.json), and small ones that are written here.
+
+namespace mesobridge::workflows {
+
+namespace {
+
+using tests::ScratchDirectory;
+namespace fs = std::filesystem;
+
+std::string const cases = MESOBRIDGE_SOURCE_DIR "/tests/cases/";
+
+ProcessResult blobs_of(fs::path const& trajectory, fs::path const& mapping, fs::path const& folder,
+                       std::vector<std::string> const& more = {}) {
+  std::vector<std::string> words{
+      MESOBRIDGE_PROGRAM, "cg",    "blobs", trajectory.string(), "--mapping", mapping.string(), "-o",
+      folder.string(),    "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_process(words);
+}
+
+TEST(Trajectory, EveryFormOfOneMeltGivesTheBlobsThatAnotherCodeFinds) {
+  ScratchDirectory const scratch;
+  auto const expected = Json::parse(read_text_file(cases + "h5md/expected.json"));
+  struct Form {
+    char const* file;
+    std::vector<std::size_t> frames; ///< of expected.json that it has
+  };
+  std::vector<std::size_t> const all{0, 1, 2, 3, 4, 5};
+  std::vector<Form> const forms{{"h5md/t.h5", all},
+                                {"h5md/within.h5", all},
+                                {"h5md/trajectory.h5md", all},
+                                {"h5md/edges-fixed3.h5", all},
+                                {"h5md/edges-once.h5", {0}},
+                                {"h5md/velocity-every-2nd.h5", {0, 2, 4}},
+                                {"dump/both.lammpstrj", all},
+                                {"dump/type-element.lammpstrj", all},
+                                {"dump/truncated.lammpstrj", {0, 1, 2, 3, 4}}};
+  std::size_t compared = 0;
+  for (auto const& form : forms) {
+    auto const folder = scratch / std::to_string(compared);
+    auto const result = blobs_of(cases + form.file, cases + "h5md/map.toml", folder);
+    ASSERT_EQ(result.status, 0) << form.file << result.errors;
+    auto const data = read_blobs(folder / "blobs.h5");
+    ASSERT_EQ(data.frames(), form.frames.size()) << form.file;
+    for (std::size_t k = 0; k < form.frames.size(); ++k) {
+      auto const& frame = expected[form.frames[k]];
+      ASSERT_EQ(data.steps[k], frame["step"].get<std::int64_t>()) << form.file;
+      for (std::size_t m = 0; m < 27; ++m) {
+        std::size_t const blob = 27 * k + m;
+        constexpr double digits = 2e-6; // dumps have ten digits, H5MD files more
+        EXPECT_NEAR(data.U_kin[blob], frame["U_kin"][m].get<double>(), digits) << form.file;
+        EXPECT_NEAR(data.U_pot[blob], frame["U_pot"][m].get<double>(), digits) << form.file;
+        auto const P = frame["P"][m].get<std::vector<double>>();
+        EXPECT_LT(norm(data.P[blob] - Vec3{P[0], P[1], P[2]}), digits) << form.file;
+      }
+    }
+    ++compared;
+  }
+  EXPECT_EQ(compared, 9u);
+}
+
+/// A dimer a frame: atoms at x = 5 and 6.1, z near the two ends of a box of 12, moving apart.
+struct Written {
+  std::vector<double> position{5, 5, 0.45, 6.1, 5, 0.45, 5, 5, 11.5, 6.1, 5, 11.5}, velocity;
+  std::vector<std::int64_t> step{0, 10}, id;
+  std::vector<double> time{0, 0.1};
+  std::vector<std::string> boundary{"periodic", "periodic", "periodic"};
+  std::string length_unit, velocity_unit, time_unit;
+  Store::Shape edges_shape{3};
+  std::vector<double> edges{12, 12, 12};
+  std::vector<std::string> groups{"all"};
+};
+
+void write(fs::path const& file, Written const& of) {
+  Store store(file, Store::Mode::create);
+  auto const frames = of.step.size();
+  auto twice = [&](std::vector<double> const& one) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < frames; ++k)
+      all.insert(all.end(), one.begin(), one.end());
+    return all;
+  };
+  auto const v = of.velocity.empty() ? std::vector<double>(12, 0.0) : of.velocity;
+  for (auto const& name : of.groups) {
+    auto const group = "particles/" + name;
+    auto element = [&](std::string const& which, std::vector<double> const& one, std::string const& unit) {
+      auto const path = group + "/" + which;
+      store.write(path + "/value", twice(one), {frames, one.size() / 3, 3});
+      store.write(path + "/step", of.step);
+      store.write(path + "/time", of.time);
+      if (!unit.empty())
+        store.set_attribute(path + "/value", "unit", unit);
+      if (!of.time_unit.empty())
+        store.set_attribute(path + "/time", "unit", of.time_unit);
+    };
+    element("position", of.position, of.length_unit);
+    element("velocity", v, of.velocity_unit);
+    store.write(group + "/box/edges", of.edges, of.edges_shape);
+    if (!of.length_unit.empty())
+      store.set_attribute(group + "/box/edges", "unit", of.length_unit);
+    if (!of.id.empty())
+      store.write(group + "/id", of.id);
+    store.set_attribute(group + "/box", "boundary", std::span<std::string const>(of.boundary));
+  }
+  store.close();
+}
+
+std::string mapping(std::string const& units, double mass, double l) {
+  return fmt::format(
+      "format = \"mesobridge mapping 1\"\nname = \"dimer\"\nunits = \"{}\"\natoms = 2\nmasses = [ {}, "
+      "{} ]\n[bonds]\ncount = 1\na = [ 1 ]\nb = [ 2 ]\nk = [ 100.0 ]\nl = [ {} ]\n[pairs]\ncount = "
+      "1\ntype_a = [ 1 ]\ntype_b = [ 1 ]\nepsilon = [ 1.0 ]\nsigma = [ {} ]\ncutoff = [ {} ]\n"
+      "shifted = \"yes\"\nbonded = \"no\"\n",
+      units, mass, mass, l, l, l * 1.122462048309373);
+}
+
+TEST(Trajectory, AnH5mdFileIsTakenAsItSays) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "lj.toml", mapping("lj", 1, 1));
+  // The bonds are 1.1 long: 50 * 0.01 each. Across the border the dimers' atoms are 0.95 apart.
+  double const bonds = 2 * 0.5, s6 = std::pow(0.95, -6), pairs = 2 * (4 * (s6 * s6 - s6) + 1);
+  struct Taken {
+    Written file;
+    double energy;
+    std::vector<std::string> options;
+  };
+  Written periodic, open, sorted, several;
+  open.boundary[2] = "none";
+  // Atoms in the order 3, 1, 4, 2: without the ids the bonds would lie across the box.
+  sorted.position = {5, 5, 11.5, 5, 5, 0.45, 6.1, 5, 11.5, 6.1, 5, 0.45};
+  sorted.id = {3, 1, 4, 2};
+  several.groups = {"all", "water"};
+  std::vector<Taken> const all{{periodic, bonds + pairs, {}},
+                               {open, bonds, {}},
+                               {sorted, bonds + pairs, {}},
+                               {several, bonds + pairs, {"--group", "water"}}};
+  std::size_t tried = 0;
+  for (auto const& [file, energy, options] : all) {
+    write(scratch / "a.h5", file);
+    auto const result = blobs_of(scratch / "a.h5", scratch / "lj.toml", scratch / "out", options);
+    ASSERT_EQ(result.status, 0) << tried << result.errors;
+    auto const json = Json::parse(result.output);
+    EXPECT_NEAR(json["potential_energy_first"].get<double>(), energy, 1e-9) << tried;
+    EXPECT_EQ(json["frames"], 2) << tried;
+    EXPECT_EQ(read_blobs(scratch / "out" / "blobs.h5").times[1], 0.1);
+    ++tried;
+  }
+  EXPECT_EQ(tried, 4u);
+}
+
+// nm and ps in the file, Angstrom, fs and kcal/mol in the mapping.
+TEST(Trajectory, UnitsOfAnH5mdFileBecomeThoseOfTheMapping) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "real.toml", mapping("real", 12, 10));
+  write_text_file(scratch / "lj.toml", mapping("lj", 12, 10));
+  Written file;
+  file.length_unit = "nm", file.velocity_unit = "nm ps-1", file.time_unit = "ps";
+  file.velocity = {1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0};
+  file.boundary[2] = "none";
+  write(scratch / "a.h5", file);
+  auto const result = blobs_of(scratch / "a.h5", scratch / "real.toml", scratch / "out");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const data = read_blobs(scratch / "out" / "blobs.h5");
+  EXPECT_NEAR(data.R[0].x, 55.5, 1e-9);                 // A
+  EXPECT_NEAR(data.U_pot[0], 50 * 1 * 1, 1e-9);         // stretched by 1 A
+  EXPECT_NEAR(data.times[1], 100, 1e-9);                // fs
+  EXPECT_NEAR(data.U_kin[0], 12e-3 * 1e6 / 4184, 1e-9); // 12 g/mol (1000 m/s)^2 in kcal/mol
+  auto const contradiction = blobs_of(scratch / "a.h5", scratch / "lj.toml", scratch / "out");
+  EXPECT_EQ(contradiction.status, 2);
+  EXPECT_NE(contradiction.errors.find("'nm'"), std::string::npos) << contradiction.errors;
+}
+
+TEST(Trajectory, WhatContradictsItselfInAnH5mdFileIsRefusedByName) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "lj.toml", mapping("lj", 1, 1));
+  struct Refused {
+    std::function<void(Written&)> spoil;
+    std::vector<std::string> words;
+  };
+  std::vector<Refused> const all{
+      {[](Written& f) { f.velocity.assign(12, 0.0), f.velocity[7] = NAN; },
+       {"velocity/value", R"(\[0\]\[2\]\[1\] = nan)"}},
+      {[](Written& f) { f.position[3] = INFINITY; }, {"position/value", R"(\[0\]\[1\]\[0\] = inf)"}},
+      {[](Written& f) { f.position[3] = 1e30; }, {"position", "box edges away"}},
+      {[](Written& f) {
+         f.step = {10, 0};
+       },
+       {"step 0 stands after step 10"}},
+      {[](Written& f) {
+         f.time = {0.1, 0};
+       },
+       {"time 0 of step 10 is not after 0.1"}},
+      {[](Written& f) {
+         f.id = {1, 2, 2, 3};
+       },
+       {"id has the id 2 twice"}},
+      {[](Written& f) {
+         f.id = {1, 2, 3};
+       },
+       {"id has frames of 3: must be 4"}},
+      {[](Written& f) {
+         f.edges = {12, 0, 12};
+       },
+       {"edges", "12 x 0 x 12"}},
+      {[](Written& f) {
+         f.edges = {12, 12}, f.edges_shape = {2};
+       },
+       {"edges has frames of 2"}},
+      {[](Written& f) {
+         f.edges = {12, 1, 0, 0, 12, 0, 0, 0, 12}, f.edges_shape = {3, 3};
+       },
+       {"tilted"}},
+      {[](Written& f) {
+         f.boundary = {"periodic", "open", "none"};
+       },
+       {"boundary", "periodic, open, none"}},
+      {[](Written& f) {
+         f.groups = {"a", "b"};
+       },
+       {"--group", "a, b"}},
+      {[](Written& f) { f.length_unit = "parsec"; }, {"parsec"}},
+      {[](Written& f) { f.velocity.assign(6, 0.0); },
+       {"velocity has frames of 2 x 3, the positions of 4 x 3"}},
+      {[](Written& f) { f.position.resize(9), f.velocity.assign(9, 0.0); }, {"3 atoms", "2 each"}}};
+  std::size_t tried = 0;
+  for (auto const& [spoil, words] : all) {
+    Written file;
+    spoil(file);
+    write(scratch / "a.h5", file);
+    auto const result = blobs_of(scratch / "a.h5", scratch / "lj.toml", scratch / "out");
+    EXPECT_EQ(result.status, 2) << tried << result.errors;
+    EXPECT_NE(result.errors.find("a.h5"), std::string::npos) << result.errors;
+    for (auto const& word : words)
+      EXPECT_TRUE(std::regex_search(result.errors, std::regex(word))) << word << "\n" << result.errors;
+    EXPECT_FALSE(fs::exists(scratch / "out" / "blobs.h5")) << tried;
+    ++tried;
+  }
+  EXPECT_EQ(tried, 15u);
+}
+
+} // namespace
+
+} // namespace mesobridge::workflows

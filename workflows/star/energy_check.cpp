@@ -1,0 +1,101 @@
+#include "workflows/star/energy_check.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gsl/gsl_statistics_double.h>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+/// Energies of two programs that compute the same differ by the digits of the dump only.
+constexpr double close_enough = 1e-3;
+
+/// A good time step keeps the energy to a few per cent of what its kinetic part varies; a thermostat, or
+/// forces that are not the run's, vary it as much as that.
+constexpr double most_wander = 0.2;
+
+double sd(std::vector<double> const& values) {
+  return gsl_stats_sd(values.data(), 1, values.size());
+}
+
+bool agree(double a, double b, double scale) {
+  return std::abs(a - b) <= close_enough * scale;
+}
+
+} // namespace
+
+double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box const& box) {
+  double energy = 0;
+  auto const n = std::size_t(model.atoms());
+  for (std::size_t first = 0; first + n <= q.size(); first += n)
+    for (auto const& bond : model.bonds) {
+      double const r =
+          norm(box.minimum_image(q[first + std::size_t(bond.a)] - q[first + std::size_t(bond.b)]));
+      energy += bond.k / 2 * (r - bond.l) * (r - bond.l);
+    }
+  return energy;
+}
+
+void EnergyCheck::add(cg::BlobFrame const& frame, std::optional<double> said, double bonds) {
+  Row row{.step = frame.step, .kinetic = 0, .potential = 0, .bonds = bonds, .said = said};
+  for (auto const& blob : frame.blobs) {
+    row.kinetic += blob.U_kin + norm2(blob.P) / (2 * model_.mass());
+    row.potential += blob.U_pot + blob.Phi;
+  }
+  rows_.push_back(row);
+}
+
+std::optional<std::string> EnergyCheck::potential_warning() const {
+  auto const wrong = std::ranges::find_if(rows_, [](Row const& row) {
+    return row.said && !agree(row.potential, *row.said, std::abs(*row.said) + row.kinetic);
+  });
+  if (wrong == rows_.end())
+    return std::nullopt;
+  double const said = *wrong->said, scale = std::abs(said) + wrong->kinetic;
+  std::string guess = "are all its bonds, pairs and cut-offs in the mapping, in the run's units?";
+  if (agree(wrong->potential + wrong->bonds, said, scale))
+    guess = "with bonds twice as stiff they agree: the k of the bonds is LAMMPS's K, for which the mapping "
+            "has the "
+            "key K";
+  else if (agree(wrong->potential - wrong->bonds / 2, said, scale))
+    guess = "with bonds half as stiff they agree: K in the mapping is LAMMPS's, K (r - l)^2; the key k is "
+            "that of "
+            "k (r - l)^2 / 2";
+  return fmt::format("the potential energy at step {} is {:.6g} by the mapping, {:.6g} by the trajectory: {}",
+                     wrong->step, wrong->potential, said, guess);
+}
+
+std::optional<std::string> EnergyCheck::drift_warning() const {
+  constexpr std::size_t fewest = 3;
+  if (rows_.size() < fewest)
+    return std::nullopt;
+  std::vector<double> energies, kinetic;
+  for (auto const& row : rows_)
+    energies.push_back(row.energy()), kinetic.push_back(row.kinetic);
+  if (!(sd(energies) > most_wander * sd(kinetic)))
+    return std::nullopt;
+  return fmt::format(
+      "the total energy wanders: its standard deviation is {:.3g}, that of the kinetic energy {:.3g} "
+      "(from {:.6g} to {:.6g}). A thermostat does that; at constant energy the mapping's masses, "
+      "bonds (k or K), pairs or units are not those of the run",
+      sd(energies), sd(kinetic), energies.front(), energies.back());
+}
+
+std::vector<std::string> EnergyCheck::warnings() const {
+  std::vector<std::string> all;
+  for (auto const& warning : {potential_warning(), drift_warning()})
+    if (warning)
+      all.push_back(*warning);
+  return all;
+}
+
+void EnergyCheck::put(Json& json) const {
+  json["energy_first"] = rows_.front().energy();
+  json["energy_last"] = rows_.back().energy();
+  json["potential_energy_first"] = rows_.front().potential;
+  if (rows_.front().said)
+    json["potential_energy_first_of_trajectory"] = *rows_.front().said;
+}
+
+} // namespace mesobridge::workflows
