@@ -34,9 +34,10 @@ HistogramSeries::Quantity HistogramSeries::find(std::string const& name, sdpd::S
 /// Those of the file or, at the first histogram, those of its particles, which are written. They are kept as
 /// reduced numbers, too, so that a resumed run counts into the very same bins.
 HistogramSeries::Bins HistogramSeries::bins_of(Quantity const& of) {
-  if (store_.has_attribute(of.group, "lower_reduced"))
-    return {store_.read_double_attribute(of.group, "lower_reduced"),
-            store_.read_double_attribute(of.group, "upper_reduced")};
+  if (store_.has_attribute(of.group, "lower_reduced")) {
+    double const lower = store_.read_double_attribute(of.group, "lower_reduced");
+    return {lower, store_.read_double_attribute(of.group, "upper_reduced", {.above = lower})};
+  }
   double const mean = gsl_stats_mean(of.values.data(), 1, of.values.size()),
                sd = gsl_stats_sd_m(of.values.data(), 1, of.values.size(), mean);
   Bins const bins{mean - reach_ * sd, mean + reach_ * sd};

@@ -243,7 +243,7 @@ class H5mdTrajectory {
       return 1;
     double si = 0;
     try {
-      si = si_value(*unit, lengths, times);
+      si = value_in_si(*unit, lengths, times);
     } catch (InputError const& error) {
       element.refuse(fmt::format("cannot be read: {}", error.what()));
     }

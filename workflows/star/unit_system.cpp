@@ -62,7 +62,7 @@ UnitSystem unit_system(std::string const& name) {
                   name == "electron" ? "; electron mixes two units of time, which are not converted" : ""));
 }
 
-double si_value(std::string const& unit, int lengths, int times) {
+double value_in_si(std::string const& unit, int lengths, int times) {
   std::istringstream factors(unit);
   double value = 1;
   int of_length = 0, of_time = 0;

@@ -23,6 +23,6 @@ UnitSystem unit_system(std::string const& name);
 
 /// The value in SI of a product of units of length and time as the units module of H5MD writes it, "nm ps-1";
 /// throws InputError when a factor is unknown or the dimension is not length^`lengths` time^`times`.
-double si_value(std::string const& unit, int lengths, int times);
+double value_in_si(std::string const& unit, int lengths, int times);
 
 } // namespace mesobridge::workflows

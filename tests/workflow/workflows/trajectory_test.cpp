@@ -247,6 +247,54 @@ TEST(Trajectory, WhatContradictsItselfInAnH5mdFileIsRefusedByName) {
   EXPECT_EQ(tried, 15u);
 }
 
+/// A dump of two far dimers that swing as harmonic ones do, r = 1 + 0.1 cos(omega t) with omega^2 = 2 k / m,
+/// k = 100, m = 1: their energy is constant.
+std::string swinging_dimers() {
+  std::string text;
+  double const omega = std::sqrt(200.0);
+  for (int k = 0; k < 12; ++k) {
+    text +=
+        fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS pp pp pp\n0 20\n0 20\n0 "
+                    "20\nITEM: ATOMS id mol x y z vx vy vz\n",
+                    k);
+    for (int dimer = 0; dimer < 2; ++dimer) {
+      double const phase = omega * 0.03 * k + dimer, half = (1 + 0.1 * std::cos(phase)) / 2,
+                   v = -0.1 * omega * std::sin(phase) / 2;
+      for (int side : {-1, 1})
+        text += fmt::format("{} {} {} {} 10 {} 0 0\n", 2 * dimer + 1 + (side + 1) / 2, dimer + 1,
+                            5 + side * half, 5 + 10 * dimer, side * v);
+    }
+  }
+  return text;
+}
+
+TEST(Trajectory, AnEnergyThatWandersIsTold) {
+  ScratchDirectory const scratch;
+  write_text_file(scratch / "a.lammpstrj", swinging_dimers());
+  struct Try {
+    char const* k;
+    double mass;
+    bool wanders;
+  };
+  std::size_t tried = 0;
+  for (auto const& [k, mass, wanders] :
+       {Try{"k = [ 100.0 ]", 1, false}, Try{"K = [ 50.0 ]", 1, false}, Try{"K = [ 100.0 ]", 1, true},
+        Try{"k = [ 50.0 ]", 1, true}, Try{"k = [ 100.0 ]", 2, true}}) {
+    auto text = mapping("lj", mass, 1);
+    text.replace(text.find("k = [ 100.0 ]"), 13, k);
+    write_text_file(scratch / "m.toml", text.substr(0, text.find("[pairs]")));
+    auto const result =
+        blobs_of(scratch / "a.lammpstrj", scratch / "m.toml", scratch / "out", {"--dt", "0.03"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_EQ(result.errors.find("wanders") != std::string::npos, wanders) << k << mass << result.errors;
+    if (!wanders) {
+      EXPECT_NEAR(Json::parse(result.output)["energy_last"].get<double>(), 2 * 50 * 0.01, 1e-9);
+    }
+    ++tried;
+  }
+  EXPECT_EQ(tried, 5u);
+}
+
 } // namespace
 
 } // namespace mesobridge::workflows
