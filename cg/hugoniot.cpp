@@ -149,6 +149,7 @@ HugoniotPoint solve_hugoniot(MetalPoint const& initial, std::span<MetalPoint con
           .T = estimate(Problem::T),
           .P = estimate(Problem::P),
           .e = estimate(Problem::e),
+          .P0 = initial.P,
           .phase = shocked.front().phase,
           .chi_2 = problem.chi_2(),
           .states = int(shocked.size())};

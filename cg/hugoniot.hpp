@@ -18,6 +18,7 @@ struct HugoniotPoint {
   Estimate v_S;   ///< velocity of the shock [m/s]
   double cov_vSvP = 0;
   Estimate T, P, e; ///< [K], [Pa], [J/kg]
+  Estimate P0;      ///< of the initial state [Pa]
   Phase phase = Phase::solid;
   double chi_2 = 0; ///< of the states about the straight line
   int states = 0;   ///< that the line goes through

@@ -38,12 +38,21 @@ enum class DataPath {
 
 /// One observation: what is given, and what was measured there.
 struct Observation {
+  /// The pressure of matter at rest, before the shock.
+  struct AtRest {
+    double P = 0;
+    bool P_is_given = false; ///< otherwise it is 0 by assumption
+    std::optional<double> P_se, rho_se;
+  };
+
   DataPath path = DataPath::state;
   std::optional<StartState> start; ///< of shocks, isentropes and detonations
   std::vector<Datum> given;        ///< rho and T (or e); or one quantity; or none for cj
   std::vector<Datum> measured;     ///< standard errors > 0
   double P_e_correlation = 0;      ///< of the errors of P and e
   std::string origin;              ///< "tin.csv:12", for messages
+  /// Of shocks whose start is a state of the model itself, by T or e: P0 is a datum, too.
+  std::optional<AtRest> at_rest = std::nullopt;
 };
 
 /// Gives all measured quantities systematic errors: `fraction` of each value, of a pressure at least of the

@@ -12,7 +12,7 @@ namespace {
 
 /// From a feasible point.
 Eigen::VectorXd polished(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
-  auto const data = coordinates.residuals(u).value().size();
+  auto const data = coordinates.known_residuals(u).size();
   require(data >= u.size(), "number of data", data,
           fmt::format("must be at least that of the free parameters, {}", u.size()));
   return polish(coordinates, u, moving_coordinates(coordinates, u));
@@ -33,32 +33,44 @@ bool no_descent_left(Eigen::MatrixXd const& J, Eigen::VectorXd const& r,
 }
 
 bool at_minimum(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
-  auto const r = coordinates.residuals(u).value();
+  auto const r = coordinates.known_residuals(u);
   return no_descent_left(coordinates.jacobian(u, r), r, moving_coordinates(coordinates, u));
 }
 
 double chi_2_at(FitCoordinates const& coordinates, Eigen::VectorXd const& u) {
-  return coordinates.residuals(u).value().squaredNorm();
+  return coordinates.known_residuals(u).squaredNorm();
 }
 
-/// The best end of several independent searches, each polished: one alone may contract about a side valley.
-Eigen::VectorXd search_from_anywhere(FitCoordinates const& coordinates, FitOptions const& options) {
+/// The best end of several starts and how many came to it.
+struct Starts {
+  Eigen::VectorXd best;
+  int all, at_best;
+};
+
+/// Independent searches, each polished: one alone may contract about a side valley.
+Starts search_from_anywhere(FitCoordinates const& coordinates, FitOptions const& options) {
   constexpr int searches = 8;
+  std::vector<double> chi_2;
   Eigen::VectorXd best;
   for (int k = 0; k < searches; ++k) {
     auto const u =
         polished(coordinates, search_globally(coordinates, std::max(1, options.global_evaluations / searches),
                                               options.seed + static_cast<std::uint64_t>(k)));
-    if (best.size() == 0 || chi_2_at(coordinates, u) < chi_2_at(coordinates, best))
+    double const found = chi_2_at(coordinates, u);
+    if (chi_2.empty() || found < *std::ranges::min_element(chi_2))
       best = u;
+    chi_2.push_back(found);
   }
-  return best;
+  constexpr double same = 1e-3;
+  double const least = *std::ranges::min_element(chi_2);
+  auto const at_best = std::ranges::count_if(chi_2, [&](double x) { return x < least + same * (1 + least); });
+  return {best, searches, static_cast<int>(at_best)};
 }
 
-SearchEnd search(FitProblem const& problem, FitCoordinates const& coordinates, FitOptions const& options) {
-  bool const global = options.global_evaluations > 0;
-  Eigen::VectorXd u = global ? search_from_anywhere(coordinates, options) : coordinates.start();
+SearchEnd search(FitProblem const& problem, FitCoordinates const& coordinates, Starts const& starts) {
+  Eigen::VectorXd u = starts.best;
   auto const residuals = coordinates.feasible_residuals(u);
+  coordinates.throw_if_stopped();
   if (!residuals)
     throw PhysicsError(
         "at the start values the model does not reach all data, or is not physical: give others "
@@ -183,17 +195,19 @@ std::vector<std::string> FitOutcome::undetermined() const {
 }
 
 FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
-  FitCoordinates const coordinates(problem);
+  FitCoordinates const coordinates(problem, options.keep_going);
   require(coordinates.size() > 0, "free parameters", 0, "at least one parameter must be free");
   require(options.global_evaluations >= 0, "evaluations of the global search", options.global_evaluations,
           "must be >= 0");
-  auto const [u, settled] = search(problem, coordinates, options);
+  auto const starts = options.global_evaluations > 0 ? search_from_anywhere(coordinates, options)
+                                                     : Starts{coordinates.start(), 1, 1};
+  auto const [u, settled] = search(problem, coordinates, starts);
   FitOutcome outcome{.parameters = problem.parameters,
                      .free = coordinates.free(),
                      .values = coordinates.values(u),
                      .covariance_factor = {},
                      .axes = {},
-                     .residuals = coordinates.residuals(u).value(),
+                     .residuals = coordinates.known_residuals(u),
                      .at_bound = {}};
   auto const moving = moving_coordinates(coordinates, u);
   for (Eigen::Index k = 0; k < u.size(); ++k)
@@ -205,6 +219,7 @@ FitOutcome fit(FitProblem const& problem, FitOptions const& options) {
   outcome.constrained = near_constraint(coordinates, u);
   outcome.converged = settled;
   outcome.evaluations = coordinates.evaluations();
+  outcome.starts = starts.all, outcome.starts_at_best = starts.at_best;
   return outcome;
 }
 
@@ -219,7 +234,8 @@ double Bootstrap::quantile(Eigen::Index column, double p) const {
   return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), p);
 }
 
-Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repeats, std::uint64_t seed) {
+Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repeats, std::uint64_t seed,
+                    std::function<bool()> const& keep_going) {
   require(repeats >= 2, "bootstrap repeats", repeats, "must be at least 2");
   FitProblem again = problem;
   for (auto const i : best.free)
@@ -238,8 +254,9 @@ Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repea
     for (auto& component : noise)
       component = normal(generator);
     try {
-      result.values.row(done) =
-          fit(again, {.seed = seed, .global_evaluations = 0}).values(best.free).transpose();
+      result.values.row(done) = fit(again, {.seed = seed, .global_evaluations = 0, .keep_going = keep_going})
+                                    .values(best.free)
+                                    .transpose();
       ++done;
     } catch (PhysicsError const&) {
       ++result.failed;

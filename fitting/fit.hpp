@@ -16,6 +16,7 @@ struct Parameter {
   double start, lower, upper;
   bool logarithmic = false; ///< searched by its logarithm: for positive ones that may span decades
   bool free = true;         ///< otherwise it stays at `start`
+  bool linear = false;      ///< residuals are about linear in it while the others stand
 };
 
 /// What is fitted: minimise |residuals|^2 subject to the bounds and to constraints > 0.
@@ -34,6 +35,8 @@ struct FitOptions {
   std::uint64_t seed = 1;
   /// Evaluations of the global search over the box of the bounds; 0: local search from the start values.
   int global_evaluations = 20000;
+  /// Asked at every evaluation; once it says no, the fit ends by Interrupted. Empty: always yes.
+  std::function<bool()> keep_going = nullptr;
 };
 
 /// One principal axis of what the data say about the free parameters, in coordinates where the bounds (of
@@ -60,6 +63,8 @@ struct FitOutcome {
   bool constrained = false;           ///< a constraint holds the fit off a better one
   bool converged = false;             ///< no step would lower chi^2 by more than 1e-6
   int evaluations = 0;
+  int starts = 1;         ///< independent searches
+  int starts_at_best = 1; ///< those that ended at the best chi^2, to 1e-3 (1 + chi^2)
 
   double chi_2() const { return residuals.squaredNorm(); }
   int degrees_of_freedom() const {
@@ -77,11 +82,13 @@ struct FitOutcome {
   std::vector<std::string> undetermined() const;
 };
 
-/// Global search by controlled random search (NLopt's CRS2, seeded), local search with the constraints by
-/// SLSQP, then Levenberg-Marquardt (GSL) on what no bound holds. The same seed gives the same bits.
+/// Several global searches by controlled random search (NLopt's CRS2, seeded) over the parameters that are
+/// not linear, the linear ones eliminated by least squares (variable projection); from the end of each, and
+/// from the start values, Levenberg-Marquardt (GSL) on what no bound holds; from the best of these a local
+/// search with the constraints by SLSQP. The same seed gives the same bits.
 ///
 /// Throws InputError for bounds that are not in order, starts outside them, fewer residuals than free
-/// parameters; PhysicsError when no feasible parameters are found.
+/// parameters; PhysicsError when no feasible parameters are found; Interrupted.
 FitOutcome fit(FitProblem const& problem, FitOptions const& options = {});
 
 /// Refits of data drawn anew from the best fit and the stated noise (parametric bootstrap): what the errors
@@ -94,6 +101,8 @@ struct Bootstrap {
   double quantile(Eigen::Index column, double p) const;
 };
 
-Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repeats, std::uint64_t seed);
+/// Throws Interrupted once keep_going, if there is one, says no.
+Bootstrap bootstrap(FitProblem const& problem, FitOutcome const& best, int repeats, std::uint64_t seed,
+                    std::function<bool()> const& keep_going = nullptr);
 
 } // namespace mesobridge::fitting

@@ -30,9 +30,9 @@ SearchEnd descend_to_constraints(FitProblem const& problem, FitCoordinates const
                                  Eigen::VectorXd const& from) {
   Eigen::VectorXd u = from;
   Lagrangian lagrangian{problem, Eigen::VectorXd::Zero(coordinates.constraints(from).value().size()),
-                        1 + coordinates.residuals(from).value().squaredNorm()};
+                        1 + coordinates.known_residuals(from).squaredNorm()};
   FitProblem const augmented = lagrangian.augmented();
-  FitCoordinates const penalised(augmented);
+  FitCoordinates const penalised(augmented, coordinates.keep_going());
   double violation = std::numeric_limits<double>::infinity();
   constexpr int most = 40;
   constexpr double settled = 1e-9, stiffening = 4;
@@ -51,7 +51,7 @@ SearchEnd descend_to_constraints(FitProblem const& problem, FitCoordinates const
     u = next;
     done = moved < settled && worst < 0.5 * margin;
   }
-  double const start = coordinates.residuals(from).value().squaredNorm();
+  double const start = coordinates.known_residuals(from).squaredNorm();
   auto const end = coordinates.feasible_residuals(u);
   double const price_of_margin = 2 * margin * lagrangian.lambda.sum();
   if (end && end->squaredNorm() <= start + 2 * price_of_margin)

@@ -34,12 +34,42 @@ double slope(Parameter const& p, double u) {
 
 } // namespace
 
-FitCoordinates::FitCoordinates(FitProblem const& problem) : problem_(problem) {
+FitCoordinates::FitCoordinates(FitProblem const& problem, std::function<bool()> keep_going)
+    : problem_(problem), keep_going_(std::move(keep_going)) {
   for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
     check(problem.parameters[i]);
-    if (problem.parameters[i].free)
-      free_.push_back(static_cast<Eigen::Index>(i));
+    if (!problem.parameters[i].free)
+      continue;
+    if (problem.parameters[i].linear)
+      linear_.push_back(size());
+    free_.push_back(static_cast<Eigen::Index>(i));
   }
+}
+
+double FitCoordinates::value(Eigen::Index coordinate, double u) const {
+  return from_unit(problem_.parameters[free_[coordinate]], u);
+}
+
+double FitCoordinates::unit(Eigen::Index coordinate, double value) const {
+  return to_unit(problem_.parameters[free_[coordinate]], value);
+}
+
+bool FitCoordinates::stopped() const {
+  stopped_ = stopped_ || (keep_going_ && !keep_going_());
+  return stopped_;
+}
+
+void FitCoordinates::throw_if_stopped() const {
+  if (stopped())
+    throw Interrupted("the fit was interrupted before its end: nothing is written");
+}
+
+Eigen::VectorXd FitCoordinates::known_residuals(Eigen::VectorXd const& u) const {
+  auto const r = residuals(u);
+  throw_if_stopped();
+  if (!r)
+    throw std::logic_error("a point of a fit without residuals");
+  return *r;
 }
 
 Eigen::VectorXd FitCoordinates::start() const {
@@ -67,6 +97,8 @@ Eigen::VectorXd FitCoordinates::slopes(Eigen::VectorXd const& u) const {
 
 std::optional<Eigen::VectorXd> FitCoordinates::residuals(Eigen::VectorXd const& u) const {
   ++evaluations_;
+  if (stopped())
+    return std::nullopt;
   if ((u.array() < 0).any() || (u.array() > 1).any())
     return std::nullopt;
   try {
@@ -107,6 +139,13 @@ std::optional<Eigen::VectorXd> FitCoordinates::feasible_residuals(Eigen::VectorX
   return r;
 }
 
+void FitCoordinates::refuse_edge(Eigen::Index coordinate, Eigen::VectorXd const& u) const {
+  throw_if_stopped();
+  throw PhysicsError(fmt::format("the model has no answer on either side of {} = {:.6g}",
+                                 problem_.parameters[free_[coordinate]].name,
+                                 value(coordinate, u[coordinate])));
+}
+
 Eigen::MatrixXd FitCoordinates::jacobian(Eigen::VectorXd const& u, Eigen::VectorXd const& r) const {
   // Truncation and round-off of a central difference are both near 1e-10 of the residual here.
   constexpr double step = 1e-5;
@@ -122,8 +161,7 @@ Eigen::MatrixXd FitCoordinates::jacobian(Eigen::VectorXd const& u, Eigen::Vector
     else if (r_below)
       J.col(k) = (r - *r_below) / step;
     else
-      throw PhysicsError(fmt::format("the model has no answer on either side of {} = {:.6g}",
-                                     problem_.parameters[free_[k]].name, values(u)[free_[k]]));
+      refuse_edge(k, u);
   }
   return J;
 }

@@ -80,6 +80,7 @@ FitOutcome fit_with_noise(EosProblem& problem, FitProblem& search, FitOptions op
       search.parameters[static_cast<std::size_t>(i)].start = outcome.values[i];
     options.global_evaluations = 0;
     FitOutcome next = fit(search, options);
+    next.starts = outcome.starts, next.starts_at_best = outcome.starts_at_best;
     double moved = 0;
     for (auto const i : next.free)
       moved = std::max(moved, std::abs(next.values[i] - outcome.values[i]) / next.se(i));
@@ -142,6 +143,10 @@ cg::Estimate EosFit::estimate(Observation const& observation, Quantity quantity)
   return {value(outcome.values), outcome.se_of(value), 0};
 }
 
+double EosFit::value(Observation const& observation, Quantity quantity) const {
+  return predicted(family, observation, quantity, outcome.values);
+}
+
 EosFit fit_eos(EosFamily family, std::vector<Observation> data, EosFitOptions const& options) {
   require(!data.empty(), "data", "no observation", "at least one is needed");
   apply(options, family);
@@ -153,7 +158,7 @@ EosFit fit_eos(EosFamily family, std::vector<Observation> data, EosFitOptions co
   auto outcome = fit_with_noise(problem, search, options.search);
   std::optional<Bootstrap> drawn;
   if (options.bootstrap > 0)
-    drawn = bootstrap(search, outcome, options.bootstrap, options.search.seed);
+    drawn = bootstrap(search, outcome, options.bootstrap, options.search.seed, options.search.keep_going);
   std::vector<FittedObservation> observations;
   for (std::size_t i = 0; i < data.size(); ++i)
     observations.push_back(beside_fit(problem, outcome, data[i], i));

@@ -67,6 +67,8 @@ struct EosFit {
   /// What the fitted model says would be measured of a quantity, with the standard error that the fit leaves.
   /// Throws PhysicsError when the observation is out of the model's reach.
   cg::Estimate estimate(Observation const& observation, Quantity quantity) const;
+  /// The same without the standard error.
+  double value(Observation const& observation, Quantity quantity) const;
 };
 
 EosFamily mie_gruneisen_family(std::span<Observation const> data);

@@ -1,5 +1,6 @@
 #include "fitting/fit_search.hpp"
 #include "md/error.hpp"
+#include <algorithm>
 #include <cmath>
 #include <nlopt.hpp>
 
@@ -60,34 +61,59 @@ struct Descent {
   }
 };
 
+/// The global search's view: coordinates of the parameters that are not linear.
+struct GlobalSearch {
+  FitCoordinates const& coordinates;
+  std::vector<Eigen::Index> searched;
+  Best best;
+
+  explicit GlobalSearch(FitCoordinates const& of) : coordinates(of), searched{}, best{} {
+    for (Eigen::Index k = 0; k < of.size(); ++k)
+      if (std::ranges::find(of.linear(), k) == of.linear().end())
+        searched.push_back(k);
+  }
+  std::vector<double> start() const {
+    Eigen::VectorXd const u = coordinates.start();
+    std::vector<double> x;
+    for (auto const k : searched)
+      x.push_back(u[k]);
+    return x;
+  }
+  Eigen::VectorXd point(double const* x) const {
+    Eigen::VectorXd u = coordinates.start();
+    for (std::size_t k = 0; k < searched.size(); ++k)
+      u[searched[k]] = x[k];
+    return coordinates.linear().empty() ? u : project_linear(coordinates, u).value_or(u);
+  }
+  double chi_2(double const* x) {
+    auto const u = point(x);
+    auto const r = coordinates.feasible_residuals(u);
+    double const found = r ? r->squaredNorm() : HUGE_VAL;
+    best.offer(found, u);
+    return found;
+  }
+};
+
 } // namespace
 
 Eigen::VectorXd search_globally(FitCoordinates const& coordinates, int evaluations, std::uint64_t seed) {
-  struct Search {
-    FitCoordinates const& coordinates;
-    Best best;
-  } search{coordinates, {}};
-  auto const n = static_cast<unsigned>(coordinates.size());
+  GlobalSearch search(coordinates);
+  auto const n = static_cast<unsigned>(search.searched.size());
+  if (n == 0)
+    return search.point(nullptr);
   nlopt::srand(seed);
   nlopt::opt crs(nlopt::GN_CRS2_LM, n);
   crs.set_lower_bounds(0);
   crs.set_upper_bounds(1);
   crs.set_maxeval(evaluations);
   crs.set_ftol_rel(1e-4); // the local stages take it from there
-  crs.set_min_objective(
-      [](unsigned size, double const* x, double*, void* data) {
-        auto& self = *static_cast<Search*>(data);
-        auto const u = as_vector(size, x);
-        auto const r = self.coordinates.feasible_residuals(u);
-        double const chi_2 = r ? r->squaredNorm() : HUGE_VAL;
-        self.best.offer(chi_2, u);
-        return chi_2;
-      },
-      &search);
-  Eigen::VectorXd const start = coordinates.start();
-  std::vector<double> u(start.data(), start.data() + n);
+  crs.set_min_objective([](unsigned, double const* x, double*,
+                           void* data) { return static_cast<GlobalSearch*>(data)->chi_2(x); },
+                        &search);
+  std::vector<double> u = search.start();
   double found = 0;
   crs.optimize(u, found);
+  coordinates.throw_if_stopped();
   if (search.best.u.size() == 0)
     throw PhysicsError(
         fmt::format("none of {} points within the bounds gives a model that reaches all data and is physical",
@@ -96,7 +122,7 @@ Eigen::VectorXd search_globally(FitCoordinates const& coordinates, int evaluatio
 }
 
 Eigen::VectorXd descend_constrained(FitCoordinates const& coordinates, Eigen::VectorXd const& from) {
-  double const start = coordinates.residuals(from).value().squaredNorm();
+  double const start = coordinates.known_residuals(from).squaredNorm();
   Descent descent{coordinates, start, {}};
   descent.best.offer(start, from);
   auto const n = static_cast<unsigned>(from.size());
@@ -125,6 +151,7 @@ Eigen::VectorXd descend_constrained(FitCoordinates const& coordinates, Eigen::Ve
   } catch (std::runtime_error const&) {
     // SLSQP gives up where its quadratic model is singular; the polish goes on from the best point.
   }
+  coordinates.throw_if_stopped();
   return descent.best.u;
 }
 

@@ -3,9 +3,15 @@
 
 namespace mesobridge::fitting {
 
+/// The best values of the linear parameters while the others stand at u (variable projection: Golub and
+/// Pereyra, SIAM J. Numer. Anal. 10 (1973) 413): Gauss-Newton steps within the bounds, which are exact at
+/// once where the residuals are linear. They begin at the lower bounds, where the terms of these parameters
+/// vanish; nothing where the model has no answer there.
+std::optional<Eigen::VectorXd> project_linear(FitCoordinates const& coordinates, Eigen::VectorXd const& u);
+
 /// The best point of a controlled random search over the unit box (Kaelo and Ali, J. Optim. Theory Appl. 130
-/// (2006) 253; NLopt's CRS2). Points without an answer, or that a constraint forbids, count as infinitely
-/// bad. Throws PhysicsError when no point is feasible.
+/// (2006) 253; NLopt's CRS2), the linear parameters projected out. Points without an answer, or that a
+/// constraint forbids, count as infinitely bad. Throws PhysicsError when no point is feasible.
 Eigen::VectorXd search_globally(FitCoordinates const& coordinates, int evaluations, std::uint64_t seed);
 
 /// Sequential quadratic programming from a feasible point, with bounds and constraints (NLopt's SLSQP). The

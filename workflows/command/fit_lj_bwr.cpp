@@ -1,11 +1,14 @@
 #include "fitting/model_file.hpp"
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/lj/fit_summary.hpp"
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/version.hpp"
 #include <CLI/CLI.hpp>
+#include <gsl/gsl_cdf.h>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 
@@ -23,6 +26,15 @@ Result fit(Options const& options, Context const& context) {
   settings.prior = options.prior == "published" ? fitting::LjBwrPrior::published : fitting::LjBwrPrior::none;
   settings.prior_width = options.prior_width;
   auto const fitted = fitting::fit_lj_bwr(read_state_grid(options.data), settings);
+  double const probability =
+      fitted.degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(fitted.chi_2, fitted.degrees_of_freedom) : 1;
+  constexpr double least = 1e-3;
+  if (probability < least)
+    context.log->warn(
+        "bad fit: chi^2 = {:.4g} for {:.4g} degrees of freedom (probability {:.2g}): the model does not "
+        "agree with the data within their errors",
+        fitted.chi_2, fitted.degrees_of_freedom, probability);
+  throw_if_interrupted();
   auto const units = options.units == "argon" ? std::optional(argon_units) : std::nullopt;
   auto const model = fitting::model_of(fitted, units, sha256_of_file(options.data),
                                        {{"program", fmt::format("mesobridge {}", version())},
@@ -36,6 +48,8 @@ Result fit(Options const& options, Context const& context) {
   Result result;
   result.json = {{"model", file.string()}};
   result.json.update(fit_json(fitted));
+  result.json["chi_2_probability"] = probability;
+  result.json["bad_fit"] = probability < least;
   result.text = fit_text(fitted) + file.string();
   return result;
 }

@@ -1,9 +1,11 @@
 #include "workflows/eos_fit/data_file.hpp"
+#include "fitting/jump_conditions.hpp"
 #include "md/error.hpp"
 #include "workflows/eos_fit/data_table.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 
 namespace mesobridge::workflows {
@@ -18,7 +20,7 @@ using fitting::symbol;
 
 /// A row's numbers in SI by what they are.
 struct Numbers {
-  std::map<Quantity, double> values, errors, start;
+  std::map<Quantity, double> values, errors, start, start_errors;
   double P_e_correlation = 0;
 
   std::optional<double> start_of(Quantity quantity) const {
@@ -42,6 +44,9 @@ Numbers numbers_of(DataRow const& row, std::map<std::string, DataColumn> const& 
       break;
     case DataColumn::Role::start:
       fresh = numbers.start.emplace(column.quantity, value).second;
+      break;
+    case DataColumn::Role::start_error:
+      fresh = numbers.start_errors.emplace(column.quantity, value).second;
       break;
     case DataColumn::Role::P_e_correlation:
       numbers.P_e_correlation = number;
@@ -76,9 +81,46 @@ std::optional<StartState> start_of(Numbers const& numbers, DataPath path) {
                    .T = numbers.start_of(Quantity::T),
                    .e = numbers.start_of(Quantity::e),
                    .P = numbers.start_of(Quantity::P)};
-  if (start.T) // it says all; e0 and P0 beside it are the model's to tell
+  if (start.T) // it says all; P0 beside it is a datum
     start.e = start.P = std::nullopt;
   return start;
+}
+
+std::optional<double> found_in(std::map<Quantity, double> const& numbers, Quantity quantity) {
+  auto const found = numbers.find(quantity);
+  return found == numbers.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// What a shock's start says of the pressure of matter at rest; nothing where P0 itself is the start.
+std::optional<Observation::AtRest> at_rest(Numbers const& numbers, std::optional<StartState> const& start,
+                                           std::string const& origin) {
+  if (!start || start->P || !(start->T || start->e))
+    return std::nullopt;
+  for (auto const& [quantity, se] : numbers.start_errors)
+    if (!(se > 0))
+      throw InputError(
+          fmt::format("{}: standard error of {}0 = {}: must be > 0", origin, symbol(quantity), se));
+  auto const P = numbers.start_of(Quantity::P);
+  return Observation::AtRest{.P = P.value_or(0),
+                             .P_is_given = P.has_value(),
+                             .P_se = found_in(numbers.start_errors, Quantity::P),
+                             .rho_se = found_in(numbers.start_errors, Quantity::rho)};
+}
+
+/// What stands in a row and is not counted.
+struct Unused {
+  std::set<std::string> dependent; ///< follows from what is counted
+  std::set<std::string> dropped;
+};
+
+/// Columns of the start that a row does not use.
+void note_unused_start(Numbers const& numbers, Observation const& observation,
+                       std::set<std::string>& unused) {
+  if (observation.start && observation.start->T && numbers.start.contains(Quantity::e))
+    unused.insert("e0 (beside T0)");
+  for (auto const& [quantity, se] : numbers.start_errors)
+    if (!observation.at_rest || (quantity != Quantity::P && quantity != Quantity::rho))
+      unused.insert(fmt::format("{}0_se", symbol(quantity)));
 }
 
 /// What says where the row's state is, and what was measured there.
@@ -138,14 +180,83 @@ double error_of(Quantity quantity, double value, Numbers const& numbers, Relativ
   return *fraction * std::abs(value);
 }
 
+Datum datum_of(Quantity quantity, Numbers const& numbers) {
+  return {quantity, numbers.values.at(quantity), found_in(numbers.errors, quantity).value_or(0)};
+}
+
+/// Refuses a row whose quantities contradict each other by conservation of mass and momentum.
+void check_jump(DataRow const& row, Numbers const& numbers, Observation const& shock, Split const& split) {
+  std::vector<Datum> pair, others;
+  for (auto const quantity : {Quantity::rho, Quantity::P, Quantity::v_P, Quantity::v_S})
+    if (numbers.values.contains(quantity)) {
+      bool const used = split.given.contains(quantity) || split.measured.contains(quantity);
+      (used ? pair : others).push_back(datum_of(quantity, numbers));
+    }
+  if (pair.size() != 2 || !shock.start)
+    return;
+  double const rho_0 = shock.start->rho;
+  auto const P_0 = numbers.start_of(Quantity::P);
+  auto const jump = fitting::jump_of(rho_0, P_0.value_or(0), pair[0], pair[1]);
+  if (!(jump.rho > rho_0 && jump.v_S > jump.v_P && jump.v_P > 0 && std::isfinite(jump.rho * jump.v_S)))
+    throw InputError(fmt::format(
+        "{}: {} = {} and {} = {} are of no shock into density {}: by mass and momentum v_S "
+        "must exceed v_P > 0, and rho rho0, and P P0",
+        row.origin, symbol(pair[0].quantity), pair[0].value, symbol(pair[1].quantity), pair[1].value, rho_0));
+  if (auto const wrong = fitting::contradiction(rho_0, P_0.value_or(0), pair[0], pair[1], others))
+    throw InputError(fmt::format("{}: {} = {} contradicts {} = {} and {} = {}, by which it is {:.6g} (rho0 "
+                                 "v_S = rho (v_S - v_P), P = P0 + "
+                                 "rho0 v_S v_P, all in SI; rho0 = {}, P0 = {}{})",
+                                 row.origin, symbol(wrong->stated.quantity), wrong->stated.value,
+                                 symbol(pair[0].quantity), pair[0].value, symbol(pair[1].quantity),
+                                 pair[1].value, wrong->by_jump, rho_0, P_0.value_or(0),
+                                 P_0 ? "" : ", as no column P0 says another one"));
+}
+
+/// A shock of no strength runs at the speed of sound of matter at rest.
+Observation sound_at_rest(Observation const& shock, Numbers const& numbers, RelativeErrors const& errors) {
+  if (!numbers.values.contains(Quantity::v_S))
+    throw InputError(fmt::format("{}: v_P = 0 without v_S says nothing", shock.origin));
+  if (!shock.start || (shock.start->e && shock.start->P))
+    throw InputError(
+        fmt::format("{}: v_P = 0: the sound speed at rest needs rho0 and one of T0, e0, P0", shock.origin));
+  double const rho_0 = shock.start->rho, v_S = numbers.values.at(Quantity::v_S);
+  auto const P = found_in(numbers.values, Quantity::P), rho = found_in(numbers.values, Quantity::rho);
+  double const P_0 = numbers.start_of(Quantity::P).value_or(0);
+  constexpr double rounding = 5e-3;
+  if (P && !(std::abs(*P - P_0) <=
+             5 * found_in(numbers.errors, Quantity::P).value_or(0) + rounding * rho_0 * v_S * v_S))
+    throw InputError(fmt::format("{}: v_P = 0, but P = {} is not P0 = {}", shock.origin, *P, P_0));
+  if (rho && !(std::abs(*rho / rho_0 - 1) <= rounding))
+    throw InputError(fmt::format("{}: v_P = 0, but rho = {} is not rho0 = {}", shock.origin, *rho, rho_0));
+  Observation sound = shock;
+  sound.path = DataPath::isentrope;
+  sound.given = {{Quantity::rho, rho_0}};
+  sound.measured = {
+      {Quantity::sound_speed, v_S, error_of(Quantity::v_S, v_S, numbers, errors, shock.origin)}};
+  return sound;
+}
+
 Observation observation_of(DataRow const& row, Numbers const& numbers, RelativeErrors const& errors,
-                           std::set<std::string>& unused) {
+                           Unused& unused) {
   auto const path = path_of(row, numbers);
+  if (auto const v_P = found_in(numbers.values, Quantity::v_P); path == DataPath::hugoniot && v_P && *v_P < 0)
+    throw InputError(fmt::format("{}: v_P = {}: must be >= 0", row.origin, *v_P));
   auto const split = split_of(path, numbers);
   Observation observation{.path = path,
                           .start = start_of(numbers, path),
                           .P_e_correlation = numbers.P_e_correlation,
                           .origin = row.origin};
+  if (path == DataPath::hugoniot)
+    observation.at_rest = at_rest(numbers, observation.start, row.origin);
+  note_unused_start(numbers, observation, unused.dropped);
+  if (path == DataPath::hugoniot && found_in(numbers.values, Quantity::v_P) == 0.0) {
+    observation = sound_at_rest(observation, numbers, errors);
+    for (auto const quantity : {Quantity::T, Quantity::e, Quantity::c_v, Quantity::sound_speed})
+      if (numbers.values.contains(quantity))
+        unused.dropped.insert(fmt::format("{} (of rows with v_P = 0)", symbol(quantity)));
+    check(observation);
+    return observation;
+  }
   for (auto const& [quantity, value] : numbers.values) {
     if (split.given.contains(quantity)) {
       auto const se = numbers.errors.find(quantity);
@@ -154,10 +265,12 @@ Observation observation_of(DataRow const& row, Numbers const& numbers, RelativeE
       observation.measured.push_back(
           {quantity, value, error_of(quantity, value, numbers, errors, row.origin)});
     } else {
-      unused.insert(std::string(symbol(quantity)));
+      unused.dependent.insert(std::string(symbol(quantity)));
     }
   }
   check(observation);
+  if (path == DataPath::hugoniot)
+    check_jump(row, numbers, observation, split);
   return observation;
 }
 
@@ -171,13 +284,16 @@ EosData read_eos_data(std::filesystem::path const& file, RelativeErrors const& e
   auto const table =
       is_hdf5(file) ? read_hdf5_table(file) : parse_csv_table(read_text_file(file), file.string());
   EosData data;
-  std::set<std::string> unused;
+  Unused unused;
   for (auto const& row : table.rows)
     data.observations.push_back(observation_of(row, numbers_of(row, table.columns), errors, unused));
-  if (!unused.empty())
-    data.notes.push_back(
-        fmt::format("{}: {} of shocked states follow from the other quantities: not counted twice",
-                    file.string(), fmt::join(unused, ", ")));
+  if (!unused.dropped.empty())
+    data.notes.push_back(fmt::format("{}: not used: {}", file.string(), fmt::join(unused.dropped, ", ")));
+  if (!unused.dependent.empty())
+    data.notes.push_back(fmt::format(
+        "{}: {} of shocked states follow from the other quantities, which they do not contradict: not "
+        "counted twice",
+        file.string(), fmt::join(unused.dependent, ", ")));
   if (!table.not_read.empty())
     data.notes.push_back(fmt::format("{}: not read: {}", file.string(), fmt::join(table.not_read, ", ")));
   return data;

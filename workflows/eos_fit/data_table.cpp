@@ -1,39 +1,11 @@
 #include "workflows/eos_fit/data_table.hpp"
 #include "md/error.hpp"
+#include "workflows/csv_table.hpp"
 #include "workflows/store/store.hpp"
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
-
-std::string trimmed(std::string_view text) {
-  auto const first = text.find_first_not_of(" \t\r");
-  return first == text.npos ? ""
-                            : std::string(text.substr(first, text.find_last_not_of(" \t\r") + 1 - first));
-}
-
-std::vector<std::string> cells_of(std::string const& line) {
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0;;) {
-    auto const end = line.find(',', begin);
-    cells.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
-    if (end == line.npos)
-      return cells;
-    begin = end + 1;
-  }
-}
-
-double number(std::string const& cell, std::string const& origin, std::string const& column) {
-  double value = 0;
-  auto const [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    throw InputError(
-        fmt::format("{}: column '{}': '{}' must be a finite number, or empty", origin, column, cell));
-  return value;
-}
 
 void add_column(DataTable& table, std::string const& name, std::string const& origin) {
   if (is_remark(name) || name == "kind")
@@ -45,23 +17,14 @@ void add_column(DataTable& table, std::string const& name, std::string const& or
   }
 }
 
-void check_header(std::vector<std::string> names, std::string const& origin) {
-  std::ranges::sort(names);
-  if (auto const twice = std::ranges::adjacent_find(names); twice != names.end())
-    throw InputError(fmt::format("{}: column '{}' stands there twice", origin, *twice));
-}
-
-DataRow row_of(std::vector<std::string> const& cells, std::vector<std::string> const& header,
-               std::string const& origin) {
-  if (cells.size() != header.size())
-    throw InputError(
-        fmt::format("{}: {} cells, but the header names {} columns", origin, cells.size(), header.size()));
-  DataRow row{.origin = origin, .kind = {}, .numbers = {}};
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (header[i] == "kind")
-      row.kind = cells[i];
-    else if (!cells[i].empty() && !is_remark(header[i]))
-      row.numbers.emplace(header[i], number(cells[i], origin, header[i]));
+DataRow row_of(CsvTable const& table, CsvRow const& cells) {
+  DataRow row{.origin = cells.origin, .kind = {}, .numbers = {}};
+  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+    auto const& name = table.header.cells[i];
+    if (name == "kind")
+      row.kind = cells.cells[i];
+    else if (!cells.cells[i].empty() && !is_remark(name))
+      row.numbers.emplace(name, csv_number(table, cells, i, "must be a finite number, or empty"));
   }
   return row;
 }
@@ -82,28 +45,12 @@ std::string data_group(Store const& store) {
 } // namespace
 
 DataTable parse_csv_table(std::string const& text, std::string const& file) {
+  auto const csv = parse_csv(text, file);
   DataTable table;
-  std::vector<std::string> header;
-  std::istringstream stream(text);
-  std::string line;
-  for (int number_of_line = 1; std::getline(stream, line); ++number_of_line) {
-    auto const bare = trimmed(line);
-    if (bare.empty() || bare.starts_with('#'))
-      continue;
-    auto const origin = fmt::format("{}:{}", file, number_of_line);
-    auto const cells = cells_of(bare);
-    if (header.empty()) {
-      header = cells;
-      check_header(header, origin);
-      for (auto const& name : header)
-        add_column(table, name, origin);
-    } else {
-      table.rows.push_back(row_of(cells, header, origin));
-    }
-  }
-  if (table.rows.empty())
-    throw InputError(fmt::format(
-        "{}: holds no data: a line that names the columns and lines of numbers are needed", file));
+  for (auto const& name : csv.header.cells)
+    add_column(table, name, csv.header.origin);
+  for (auto const& row : csv.rows)
+    table.rows.push_back(row_of(csv, row));
   return table;
 }
 

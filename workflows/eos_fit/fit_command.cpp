@@ -1,9 +1,11 @@
 #include "workflows/eos_fit/fit_command.hpp"
+#include "fitting/state_at_rest.hpp"
 #include "md/error.hpp"
 #include "workflows/eos_fit/data_columns.hpp"
 #include "workflows/eos_fit/data_file.hpp"
 #include "workflows/eos_fit/fit_report.hpp"
 #include "workflows/eos_fit/fit_summary.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/quantity.hpp"
 #include "workflows/text_file.hpp"
@@ -74,7 +76,8 @@ fitting::EosFitOptions fit_options(Options const& options, Context const& contex
                              .free = options.free,
                              .from = std::nullopt,
                              .region = region_of(options),
-                             .search = {.seed = context.options.seed.value_or(1)},
+                             .search = {.seed = context.options.seed.value_or(1),
+                                        .keep_going = [] { return !interrupt_requested(); }},
                              .bootstrap = options.bootstrap};
   for (auto const& text : options.bounds) {
     auto const [name, bounds] = assignment(text, "--bound", "name=low:high");
@@ -110,6 +113,7 @@ EosData read_all(Options const& options) {
     std::ranges::move(data.notes, std::back_inserter(all.notes));
   }
   fitting::add_systematic_errors(all.observations, options.error_floor);
+  std::ranges::move(fitting::add_states_at_rest(all.observations), std::back_inserter(all.notes));
   return all;
 }
 
@@ -145,6 +149,9 @@ Result run(FitFamily const& family, Options const& options, Context const& conte
     context.log->warn(sentence);
   if (!fit.outcome.converged)
     context.log->warn("the search stopped before the fit was at its best");
+  if (auto const complaint = bad_fit(fit.outcome))
+    context.log->warn(*complaint);
+  throw_if_interrupted();
   auto const file = context.options.output.value_or(family.name + ".toml");
   auto report = file;
   report.replace_extension(".html");
@@ -166,7 +173,9 @@ Result run(FitFamily const& family, Options const& options, Context const& conte
 }
 
 void declare_options(CLI::App& app, Options& options) {
-  app.add_option("data", options.data, "CSV or HDF5 files. Columns: " + known_data_columns())
+  app.add_option("data", options.data,
+                 "CSV or HDF5 files. Columns: " + known_data_columns() +
+                     ". A shock from rho0, T0 also says P(rho0, T0) = P0 (0 if there is none)")
       ->required()
       ->type_name("DATA");
   auto const list = [&](char const* name, auto& target, char const* type, char const* text) {

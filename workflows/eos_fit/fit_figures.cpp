@@ -1,4 +1,5 @@
 #include "workflows/eos_fit/fit_figures.hpp"
+#include "fitting/jump_conditions.hpp"
 #include "md/error.hpp"
 #include "workflows/report/number_text.hpp"
 #include <algorithm>
@@ -9,6 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 using fitting::DataPath;
+using fitting::Datum;
 using fitting::EosFit;
 using fitting::FittedObservation;
 using fitting::Observation;
@@ -156,6 +158,76 @@ Plot plot_of(EosFit const& fit, DataPath path, Quantity quantity, Curves const& 
   return plot;
 }
 
+/// What a datum of the row says of the shock, with the standard errors of one quantity carried along.
+cg::Estimate by_jump(Observation const& shock, Quantity quantity) {
+  double const P_0 = shock.start->P.value_or(shock.at_rest ? shock.at_rest->P : 0), step = 1e-3;
+  auto const& given = shock.given.front();
+  auto measured = std::ranges::find_if(shock.measured, [](auto const& datum) {
+    return datum.quantity == Quantity::v_S || datum.quantity == Quantity::v_P ||
+           datum.quantity == Quantity::P || datum.quantity == Quantity::rho;
+  });
+  auto const value = [&](double errors) {
+    Datum shifted = *measured;
+    shifted.value += errors * measured->se;
+    return fitting::jump_of(shock.start->rho, P_0, given, shifted).of(quantity);
+  };
+  return {value(0), std::abs(value(step) - value(0)) / step, 0};
+}
+
+bool says_jump(FittedObservation const& fitted) {
+  auto const& observation = fitted.observation;
+  return observation.path == DataPath::hugoniot &&
+         std::ranges::any_of(observation.measured, [](Datum const& datum) {
+           return datum.quantity == Quantity::v_S || datum.quantity == Quantity::v_P ||
+                  datum.quantity == Quantity::P || datum.quantity == Quantity::rho;
+         });
+}
+
+/// Hugoniot curves as pressure over density, from the state at rest on, with the data as mass and momentum
+/// say them.
+std::optional<Plot> pressure_over_density(EosFit const& fit) {
+  Curves curves;
+  for (auto const& fitted : fit.observations)
+    if (says_jump(fitted))
+      curves[curve_of(fitted.observation)].push_back(&fitted);
+  if (curves.empty())
+    return std::nullopt;
+  auto const [P_label, P_unit] = drawn(Quantity::P);
+  Plot plot{.name = "pressure",
+            .title = "Hugoniot: P over density",
+            .x = {.label = drawn(Quantity::rho).label},
+            .panels = {Panel{.y = {.label = P_label}}},
+            .width = 760,
+            .height = 460};
+  int colour = 0;
+  for (auto const& [key, members] : curves) {
+    Series data{
+        .label = legend(members.front()->observation), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series line{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines, .colour = colour};
+    auto const* const strongest =
+        *std::ranges::max_element(members, {}, [](auto const* fitted) { return fitted->state.v_P; });
+    if (auto const& start = *members.front()->observation.start; start.T) {
+      Observation const rest{.given = {{Quantity::rho, start.rho}, {Quantity::T, *start.T}}};
+      line.x.push_back(start.rho), line.y.push_back(fit.value(rest, Quantity::P) / P_unit);
+    }
+    constexpr int points = 60;
+    for (int k = 1; k <= points; ++k) {
+      Observation const at{.path = DataPath::hugoniot,
+                           .start = members.front()->observation.start,
+                           .given = {{Quantity::v_P, strongest->state.v_P * k / points}}};
+      line.x.push_back(fit.value(at, Quantity::rho)), line.y.push_back(fit.value(at, Quantity::P) / P_unit);
+    }
+    for (auto const* const fitted : members) {
+      auto const P = by_jump(fitted->observation, Quantity::P);
+      data.x.push_back(by_jump(fitted->observation, Quantity::rho).mean);
+      data.y.push_back(P.mean / P_unit), data.y_error.push_back(P.se / P_unit);
+    }
+    plot.panels[0].series.push_back(line), plot.panels[0].series.push_back(data);
+    ++colour;
+  }
+  return plot;
+}
+
 } // namespace
 
 std::vector<Plot> eos_fit_figures(EosFit const& fit) {
@@ -167,6 +239,8 @@ std::vector<Plot> eos_fit_figures(EosFit const& fit) {
   for (auto const& [path, quantity] : kinds)
     if (auto const curves = curves_of(fit, path, quantity); path != DataPath::cj && several_positions(curves))
       plots.push_back(plot_of(fit, path, quantity, curves));
+  if (auto plot = pressure_over_density(fit))
+    plots.push_back(std::move(*plot));
   return plots;
 }
 

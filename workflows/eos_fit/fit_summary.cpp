@@ -1,4 +1,5 @@
 #include "workflows/eos_fit/fit_summary.hpp"
+#include "md/error.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
 #include <algorithm>
@@ -111,15 +112,54 @@ std::optional<double> chi_2_probability(fitting::FitOutcome const& outcome) {
   return gsl_cdf_chisq_Q(outcome.chi_2(), outcome.degrees_of_freedom());
 }
 
+std::optional<std::string> bad_fit(fitting::FitOutcome const& outcome) {
+  constexpr double least = 1e-3;
+  auto const probability = chi_2_probability(outcome);
+  if (!probability || *probability >= least)
+    return std::nullopt;
+  return fmt::format(
+      "bad fit: chi^2 = {:.4g} for {} degrees of freedom (probability {:.2g}): the model does not agree "
+      "with the data within their errors; {} of {} searches ended here",
+      outcome.chi_2(), outcome.degrees_of_freedom(), *probability, outcome.starts_at_best, outcome.starts);
+}
+
+std::optional<FittedRest> fitted_rest(EosFit const& fit) {
+  std::optional<std::pair<double, double>> place;
+  for (auto const& fitted : fit.observations)
+    if (auto const& start = fitted.observation.start; start && start->T)
+      place = {start->rho, *start->T};
+  if (!place)
+    for (auto const& fitted : fit.observations)
+      if (fitted.observation.path == fitting::DataPath::state &&
+          (!place || std::pair(fitted.state.rho, fitted.state.T) < *place))
+        place = {fitted.state.rho, fitted.state.T};
+  if (!place)
+    return std::nullopt;
+  fitting::Observation const rest{.given = {{Quantity::rho, place->first}, {Quantity::T, place->second}}};
+  try {
+    return FittedRest{.rho = place->first,
+                      .T = place->second,
+                      .P = fit.estimate(rest, Quantity::P),
+                      .e = fit.estimate(rest, Quantity::e),
+                      .sound_speed = fit.estimate(rest, Quantity::sound_speed)};
+  } catch (PhysicsError const&) {
+    return std::nullopt; // mechanically unstable there
+  }
+}
+
 std::optional<FittedDetonation> fitted_detonation(EosFit const& fit) {
   auto const* const jwl = std::get_if<fitting::Jwl>(&fit.eos);
   if (!jwl)
     return std::nullopt;
-  fitting::Observation const cj{.path = fitting::DataPath::cj,
-                                .start = fitting::StartState{.rho = jwl->parameters().rho_0,
-                                                             .e = jwl->parameters().E_0 + fit.energy_offset,
-                                                             .P = 0.0}};
-  return FittedDetonation{.D = fit.estimate(cj, Quantity::v_S),
+  fitting::Observation cj{.path = fitting::DataPath::cj,
+                          .start = fitting::StartState{.rho = jwl->parameters().rho_0,
+                                                       .e = jwl->parameters().E_0 + fit.energy_offset,
+                                                       .P = 0.0}};
+  for (auto const& fitted : fit.observations)
+    if (fitted.observation.path == fitting::DataPath::cj)
+      cj.start = fitted.observation.start;
+  return FittedDetonation{.explosive = *cj.start,
+                          .D = fit.estimate(cj, Quantity::v_S),
                           .rho = fit.estimate(cj, Quantity::rho),
                           .P = fit.estimate(cj, Quantity::P),
                           .T = fit.estimate(cj, Quantity::T)};
@@ -132,9 +172,19 @@ Json eos_fit_json(EosFit const& fit) {
             {"degrees_of_freedom", outcome.degrees_of_freedom()},
             {"converged", outcome.converged},
             {"constrained", outcome.constrained},
-            {"evaluations", outcome.evaluations}};
+            {"evaluations", outcome.evaluations},
+            {"starts", outcome.starts},
+            {"starts_at_best", outcome.starts_at_best}};
   if (auto const probability = chi_2_probability(outcome))
     json["chi_2_probability"] = *probability;
+  json["bad_fit"] = bad_fit(outcome).has_value();
+  if (auto const rest = fitted_rest(fit)) {
+    Json state{{"rho_kg_m3", rest->rho}, {"T_K", rest->T}};
+    put(state, "P_Pa", rest->P);
+    put(state, "e_J_kg", rest->e);
+    put(state, "sound_speed_m_s", rest->sound_speed);
+    json["at_rest"] = state;
+  }
   for (Eigen::Index i = 0; i < outcome.values.size(); ++i)
     json["parameters"][outcome.parameters[static_cast<std::size_t>(i)].name] = parameter_json(fit, i);
   json["correlation"] = correlation_json(fit);
@@ -142,7 +192,9 @@ Json eos_fit_json(EosFit const& fit) {
   if (fit.bootstrap)
     json["bootstrap"] = {{"refits", fit.bootstrap->values.rows()}, {"failed", fit.bootstrap->failed}};
   if (auto const cj = fitted_detonation(fit)) {
-    Json state = Json::object();
+    Json state{{"rho0_kg_m3", cj->explosive.rho},
+               {"e0_J_kg", cj->explosive.e.value()},
+               {"P0_Pa", cj->explosive.P.value()}};
     put(state, "D_m_s", cj->D);
     put(state, "rho_kg_m3", cj->rho);
     put(state, "P_Pa", cj->P);
@@ -177,11 +229,19 @@ std::string eos_fit_text(EosFit const& fit) {
       fmt::format("chi^2 {:.4g} for {} degrees of freedom", outcome.chi_2(), outcome.degrees_of_freedom());
   if (auto const probability = chi_2_probability(outcome))
     text += fmt::format(" (probability {:.2g})", *probability);
-  text += "\n";
+  text += fmt::format("; {} of {} searches ended here\n", outcome.starts_at_best, outcome.starts);
+  if (auto const complaint = bad_fit(outcome))
+    text += "BAD FIT: model and data do not agree within the stated errors.\n";
+  if (auto const rest = fitted_rest(fit))
+    text += fmt::format(
+        "At rho {:.6g} kg/m^3, T {:.6g} K the model has P {} Pa, e {} J/kg, sound speed {} m/s\n", rest->rho,
+        rest->T, with_error_text(rest->P), with_error_text(rest->e), with_error_text(rest->sound_speed));
   if (auto const cj = fitted_detonation(fit))
-    text += fmt::format("Chapman-Jouguet state of the model: D {} m/s, rho {} kg/m^3, P {} Pa, T {} K\n",
-                        with_error_text(cj->D), with_error_text(cj->rho), with_error_text(cj->P),
-                        with_error_text(cj->T));
+    text += fmt::format(
+        "Chapman-Jouguet state of the model, from rho {:.6g} kg/m^3, e {:.6g} J/kg, P {:.6g} Pa: D {} "
+        "m/s, rho {} kg/m^3, P {} Pa, T {} K\n",
+        cj->explosive.rho, *cj->explosive.e, *cj->explosive.P, with_error_text(cj->D),
+        with_error_text(cj->rho), with_error_text(cj->P), with_error_text(cj->T));
   for (auto const& sentence : outcome.undetermined())
     text += sentence + "\n";
   if (outcome.constrained)

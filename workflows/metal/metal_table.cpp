@@ -50,6 +50,8 @@ std::vector<Column<Shocked>> const& hugoniot_columns() {
   static std::vector<Column<Shocked>> const list{
       {"rho0_kg_m3", [](Shocked const& p) { return p.initial.rho; }},
       {"T0_K", [](Shocked const& p) { return p.initial.T; }},
+      {"P0_Pa", [](Shocked const& p) { return p.P0.mean; }},
+      {"P0_se_Pa", [](Shocked const& p) { return p.P0.se; }},
       {"v_P_m_s", [](Shocked const& p) { return p.v_P.mean; }},
       {"v_P_se_m_s", [](Shocked const& p) { return p.v_P.se; }},
       {"v_S_m_s", [](Shocked const& p) { return p.v_S.mean; }},

@@ -1,48 +1,42 @@
 #include "workflows/sdpd/column_file.hpp"
 #include "md/error.hpp"
+#include "workflows/csv_table.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
-#include <charconv>
-#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
 
-std::string trimmed(std::string const& text) {
-  auto const first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+/// The unit at the end of a column's name; empty for reduced ones.
+std::string_view unit_of(std::string_view name) {
+  for (std::string_view const unit : {"_kg_s", "_W_K", "_m", "_J", "_N"})
+    if (name.ends_with(unit))
+      return unit;
+  return "";
 }
 
-std::vector<std::string> cells(std::string const& line) {
-  std::vector<std::string> found;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');)
-    found.push_back(trimmed(cell));
-  if (line.ends_with(','))
-    found.emplace_back();
-  return found;
+/// Known columns that have the word's own unit: another one would be off by a factor.
+std::vector<std::string> of_same_unit(std::string const& word, std::vector<std::string> const& known) {
+  std::vector<std::string> same;
+  for (auto const& name : known)
+    if (auto const unit = unit_of(name); unit.empty() ? word.size() == 1 : word.ends_with(unit))
+      same.push_back(name);
+  return same;
 }
 
-double number(std::string const& cell, std::string const& place, std::string const& column) {
-  double value = 0;
-  auto const [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    throw InputError(fmt::format("{}: {} = '{}': must be a finite number", place, column, cell));
-  return value;
-}
-
-void check_header(std::vector<std::string> const& header, std::string const& place,
-                  std::vector<std::string> const& required, std::vector<std::string> known) {
+void check_header(CsvRow const& header, std::vector<std::string> const& required,
+                  std::vector<std::string> known) {
   known.insert(known.begin(), required.begin(), required.end());
-  for (auto const& name : header)
-    if (std::ranges::find(known, name) == known.end() || std::ranges::count(header, name) > 1)
-      throw InputError(fmt::format("{}: column '{}' is unknown or there twice{}; known: {}", place, name,
-                                   did_you_mean(name, known), fmt::join(known, ", ")));
+  auto const& names = header.cells;
+  for (auto const& name : names)
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(fmt::format("{}: column '{}' is unknown{}; known: {}", header.origin, name,
+                                   did_you_mean(name, of_same_unit(name, known)), fmt::join(known, ", ")));
   for (auto const& name : required)
-    if (std::ranges::find(header, name) == header.end())
+    if (std::ranges::find(names, name) == names.end())
       throw InputError(
-          fmt::format("{}: column '{}' is missing; known: {}", place, name, fmt::join(known, ", ")));
+          fmt::format("{}: column '{}' is missing; known: {}", header.origin, name, fmt::join(known, ", ")));
 }
 
 } // namespace
@@ -50,28 +44,12 @@ void check_header(std::vector<std::string> const& header, std::string const& pla
 std::map<std::string, std::vector<double>> read_columns(std::filesystem::path const& file,
                                                         std::vector<std::string> const& required,
                                                         std::vector<std::string> const& optional) {
-  std::istringstream text(read_text_file(file));
+  auto const table = parse_csv(read_text_file(file), file.string());
+  check_header(table.header, required, optional);
   std::map<std::string, std::vector<double>> columns;
-  std::vector<std::string> header;
-  std::size_t line_number = 0;
-  for (std::string line; std::getline(text, line);) {
-    ++line_number;
-    if (trimmed(line).empty() || trimmed(line).starts_with('#'))
-      continue;
-    auto const place = fmt::format("{}:{}", file.string(), line_number);
-    auto const row = cells(line);
-    if (header.empty()) {
-      header = row;
-      check_header(header, place, required, optional);
-      continue;
-    }
-    if (row.size() != header.size())
-      throw InputError(fmt::format("{}: {} cells, but {} columns", place, row.size(), header.size()));
-    for (std::size_t c = 0; c < row.size(); ++c)
-      columns[header[c]].push_back(number(row[c], place, header[c]));
-  }
-  if (columns.empty())
-    throw InputError(fmt::format("{}: holds no numbers", file.string()));
+  for (auto const& row : table.rows)
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
+      columns[table.header.cells[c]].push_back(csv_number(table, row, c));
   return columns;
 }
 

@@ -6,9 +6,8 @@
 
 namespace mesobridge::workflows {
 
-/// Reads a table of numbers from a CSV file: a line of column names, then one line a row; lines that begin
-/// with # and empty lines are left out. Every required column must be there, optional ones may, others may
-/// not. Throws InputError with file and line.
+/// Reads a table of numbers from a CSV file as parse_csv understands it. Every required column must be there,
+/// optional ones may, others may not. Throws InputError with file and line.
 std::map<std::string, std::vector<double>> read_columns(std::filesystem::path const& file,
                                                         std::vector<std::string> const& required,
                                                         std::vector<std::string> const& optional);

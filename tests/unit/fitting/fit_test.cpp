@@ -230,6 +230,46 @@ TEST(Fit, RefusesBadInputByName) {
   EXPECT_THROW(fit(hopeless, {.global_evaluations = 0}), PhysicsError);
 }
 
+/// y = a exp(-b x) + c exp(-d x) at twenty points, of a = 3, b = 0.5, c = 200, d = 7; 1 % errors, no noise.
+FitProblem two_exponentials(bool linear) {
+  auto const model = [](Eigen::VectorXd const& p, double x) {
+    return p[0] * std::exp(-p[1] * x) + p[2] * std::exp(-p[3] * x);
+  };
+  std::vector<Parameter> parameters{parameter("a", 1, 1e-3, 1e3, true), parameter("b", 1, 0.1, 3),
+                                    parameter("c", 1, 1e-3, 1e6, true), parameter("d", 5, 3, 30)};
+  parameters[0].linear = parameters[2].linear = linear;
+  return {parameters, [model](Eigen::VectorXd const& p) {
+            Eigen::VectorXd r(20);
+            for (Eigen::Index i = 0; i < r.size(); ++i) {
+              double const x = 0.1 * double(i), y = model(Eigen::Vector4d(3, 0.5, 200, 7), x);
+              r[i] = (model(p, x) - y) / (0.01 * y);
+            }
+            return r;
+          }};
+}
+
+TEST(Fit, EliminatesLinearParametersFromTheSearch) {
+  for (std::uint64_t seed : {1, 2, 3}) {
+    auto const found = fit(two_exponentials(true), {.seed = seed, .global_evaluations = 400});
+    EXPECT_LT(found.chi_2(), 1e-8) << seed;
+    EXPECT_NEAR(found.values[2], 200, 1e-3);
+    EXPECT_EQ(found.starts, 8);
+    EXPECT_EQ(found.starts_at_best, 8) << seed;
+  }
+}
+
+TEST(Fit, EndsWhenItIsTold) {
+  int asked = 0;
+  FitOptions const options{.keep_going = [&] { return ++asked < 300; }};
+  EXPECT_THROW(fit(two_exponentials(true), options), Interrupted);
+  EXPECT_THROW(fit(two_exponentials(false), options), Interrupted);
+  auto const problem = two_exponentials(false);
+  auto const best = fit(problem);
+  asked = 0;
+  EXPECT_THROW(bootstrap(problem, best, 1'000'000, 1, options.keep_going), Interrupted);
+  EXPECT_EQ(asked >= 300, true);
+}
+
 TEST(Fit, FewerDataThanParametersAreRefused) {
   FitProblem const problem{
       {parameter("a", 0.5, 0, 1), parameter("b", 0.5, 0, 1)},

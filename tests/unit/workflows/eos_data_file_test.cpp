@@ -147,7 +147,7 @@ TEST(EosDataFile, WhatIsWrongIsSaidWithLineAndColumn) {
       {header, "holds no data"},
       {"rho_kg_m3,T_K,P_pa\n8000,900,1\n", ":1: unknown column 'P_pa'; did you mean 'P_Pa'?"},
       {"rho_kg_m3,T_K,P\n8000,900,1\n",
-       ":1: column 'P' does not say its unit; units of P: Pa, MPa, GPa, kbar"},
+       ":1: column 'P' does not say its unit; units of P: Pa, kPa, MPa, GPa"},
       {"rho_kg_m3,T_K,P_Pa,T_K\n8000,900,1,2\n", ":1: column 'T_K' stands there twice"},
       {"rho_kg_m3,rho_g_cm3,T_K,P_Pa,P_se_Pa\n8000,8,900,1,1\n", "rho is given twice"},
       {header + "# fine\n8000,900,5e9\n", ":3: 3 cells, but the header names 4 columns"},

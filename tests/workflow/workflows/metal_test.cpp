@@ -179,8 +179,9 @@ TEST(MetalProgram, TheHugoniotCurveClosesAndIsCoppers) {
   EXPECT_NEAR(points[2]["v_P_m_s"].get<double>(), 900, 60);
   EXPECT_NEAR(json["us_up"]["s"].get<double>(), 1.49, 0.4);
   auto const table = read_text_file(scratch / "h/hugoniot.csv");
-  EXPECT_EQ(table.substr(0, table.find('\n')), "rho0_kg_m3,T0_K,v_P_m_s,v_P_se_m_s,v_S_m_s,v_S_se_m_s,rho_kg_"
-                                               "m3,P_Pa,P_se_Pa,T_K,T_se_K,e_J_kg,e_se_J_kg");
+  EXPECT_EQ(table.substr(0, table.find('\n')),
+            "rho0_kg_m3,T0_K,P0_Pa,P0_se_Pa,v_P_m_s,v_P_se_m_s,v_S_m_s,v_S_se_m_s,rho_kg_"
+            "m3,P_Pa,P_se_Pa,T_K,T_se_K,e_J_kg,e_se_J_kg");
 }
 
 } // namespace
