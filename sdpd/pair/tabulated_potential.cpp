@@ -1,5 +1,7 @@
 #include "sdpd/pair/tabulated_potential.hpp"
 #include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
 #include <gsl/gsl_interp.h>
 #include <memory>
 
@@ -20,11 +22,56 @@ void check(std::vector<double> const& r, std::vector<double> const& u, std::vect
   require(r.size() >= 4 && u.size() == r.size() && (force.empty() || force.size() == r.size()),
           "points of the potential's table", r.size(), "must be at least 4, each with an energy");
   for (std::size_t k = 0; k < r.size(); ++k) {
-    require(std::isfinite(r[k]) && r[k] > (k == 0 ? 0 : r[k - 1]), "distance in the potential's table", r[k],
-            "must be > 0, finite and larger than the one before");
+    require(std::isfinite(r[k]) && (k == 0 ? r[k] >= 0 : r[k] > r[k - 1]),
+            "distance in the potential's table", r[k], "must be >= 0, finite and larger than the one before");
     require(std::isfinite(u[k]), "energy in the potential's table", u[k], "must be finite");
     require(force.empty() || std::isfinite(force[k]), "force in the potential's table",
             force.empty() ? 0 : force[k], "must be finite");
+  }
+}
+
+/// Two slopes between which -f of a row must lie, but for a margin.
+struct SlopeRange {
+  double low, high;
+};
+
+/// The slope of u at row k by what its neighbours say: the secants on both sides enclose the slope of a curve
+/// that bends one way, and a quarter of the change of secants about them, which exceeds the third
+/// derivative's part h^2 u_rrr/6, makes room for one that bends both ways. At an end the secants are
+/// extrapolated. Digits lost in printing u and f widen the range.
+SlopeRange slope_range(std::vector<double> const& r, std::vector<double> const& u,
+                       std::vector<double> const& force, std::size_t k) {
+  constexpr double printed = 5e-6; // relative: six digits
+  auto const secant = [&](std::size_t i) { return (u[i + 1] - u[i]) / (r[i + 1] - r[i]); };
+  std::size_t const last = r.size() - 2, left = k == 0 ? 0 : k - 1, right = std::min(k, last);
+  double a = secant(left), b = secant(right), bend = std::abs(a - b);
+  if (left == right) {
+    b = a + 1.5 * (a - secant(k == 0 ? 1 : last - 1));
+    bend = 2 * std::abs(a - b);
+  }
+  if (left > 0)
+    bend = std::max(bend, std::abs(secant(left) - secant(left - 1)));
+  if (right < last)
+    bend = std::max(bend, std::abs(secant(right + 1) - secant(right)));
+  double const spacing = std::min(r[left + 1] - r[left], r[right + 1] - r[right]);
+  double const u_near = std::max({std::abs(u[left]), std::abs(u[left + 1]), std::abs(u[right + 1])});
+  double const margin = 0.25 * bend + printed * (2 * u_near / spacing + std::abs(force[k]));
+  return {std::min(a, b) - margin, std::max(a, b) + margin};
+}
+
+/// Refuses a column of forces that is not -du/dr: the spline through both would be another potential.
+void check_slopes(std::vector<double> const& r, std::vector<double> const& u,
+                  std::vector<double> const& force) {
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    auto const slopes = slope_range(r, u, force, k);
+    if (-force[k] >= slopes.low && -force[k] <= slopes.high)
+      continue;
+    bool const reversed = force[k] >= slopes.low && force[k] <= slopes.high;
+    throw InputError(
+        fmt::format("row {} of the potential's table (r = {}): f = {:.6g}, but -du/dr lies between {:.6g} "
+                    "and {:.6g} by the energies of its rows{}",
+                    k + 1, r[k], force[k], -slopes.high, -slopes.low,
+                    reversed ? ": the sign of f is wrong, a repulsion has f > 0" : ""));
   }
 }
 
@@ -66,6 +113,7 @@ class HermiteSpline {
 UniformTable tabulate(std::vector<double> const& r, std::vector<double> const& u,
                       std::vector<double> const& force) {
   check(r, u, force);
+  check_slopes(r, u, force);
   auto on_even_points = [&](auto const& spline) {
     return UniformTable(r.front(), r.back(), [&](double at, double width) {
       auto a = spline(at), b = spline(at + width);

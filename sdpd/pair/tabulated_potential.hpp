@@ -8,8 +8,9 @@ namespace mesobridge::sdpd {
 /// to zero at its last point, the cut-off; not defined below its first.
 class TabulatedPotential {
  public:
-  /// r rising from above 0, with u(r) and, if it is known, the force -u'(r): with it the spline is Hermite's
-  /// through both, without it the natural cubic one. Throws InputError.
+  /// r rising from 0 or above, with u(r) and, if it is known, the force -u'(r): with it the spline is
+  /// Hermite's through both, without it the natural cubic one. Throws InputError, also for a force that is
+  /// not -du/dr by the differences of u, as far as the rows' distances can tell, and names the row.
   TabulatedPotential(std::vector<double> const& r, std::vector<double> const& u,
                      std::vector<double> const& force = {});
   TabulatedPotential in_units(double length, double energy) const {

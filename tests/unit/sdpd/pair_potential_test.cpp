@@ -111,6 +111,59 @@ TEST(TabulatedPotential, IsItsOriginalBetweenThePoints) {
   EXPECT_GT(worst_hermite, 1e-9); // it is a table
 }
 
+TEST(TabulatedPotential, RefusesAForceThatIsNotTheSlopeAndNamesTheRow) {
+  LennardJones const lj(1, 1, 2.5);
+  int refused = 0;
+  for (double const spacing : {0.005, 0.01, 0.02})
+    for (double const wrong : {-1.0, 0.5, 1.5}) {
+      std::vector<double> r, u, f;
+      for (double x = 0.8; x < 2.5; x += spacing) {
+        auto const [energy, strength] = lj(x, 1 / x);
+        r.push_back(x), u.push_back(energy), f.push_back(strength * x);
+      }
+      EXPECT_NO_THROW(TabulatedPotential(r, u, f)) << spacing;
+      std::size_t const k = 3; // steep, so that the sign decides
+      f[k] *= wrong;
+      try {
+        TabulatedPotential(r, u, f);
+        ADD_FAILURE() << spacing << " " << wrong;
+      } catch (InputError const& error) {
+        EXPECT_NE(std::string(error.what()).find("row 4 "), std::string::npos) << error.what();
+        ++refused;
+      }
+    }
+  EXPECT_EQ(refused, 9);
+}
+
+TEST(TabulatedPotential, AcceptsCoarseRowsAndPrintedDigits) {
+  LennardJones const lj(1, 1, 2.5);
+  int accepted = 0;
+  for (double const spacing : {0.001, 0.003, 0.01, 0.03, 0.06, 0.1, 0.15}) {
+    std::vector<double> r, u, f;
+    for (double x = 0.8; x < 2.5; x += spacing) {
+      double const printed = std::stod(fmt::format("{:.6g}", x));
+      auto const [energy, strength] = lj(printed, 1 / printed);
+      r.push_back(printed), u.push_back(std::stod(fmt::format("{:.6g}", energy)));
+      f.push_back(std::stod(fmt::format("{:.6g}", strength * printed)));
+    }
+    EXPECT_NO_THROW(TabulatedPotential(r, u, f)) << spacing;
+    ++accepted;
+  }
+  EXPECT_EQ(accepted, 7);
+}
+
+TEST(TabulatedPotential, MayBeginAtZero) {
+  std::vector<double> r, u, f;
+  for (int k = 0; k <= 20; ++k) {
+    double const x = 0.05 * k;
+    r.push_back(x), u.push_back(12.5 * (1 - x) * (1 - x)), f.push_back(25 * (1 - x));
+  }
+  TabulatedPotential const table(r, u, f);
+  EXPECT_EQ(table.inner(), 0);
+  EXPECT_NEAR(table(0.02, 50).strength * 0.02, 24.5, 1e-9);
+  EXPECT_THROW(TabulatedPotential({-0.1, 1, 2, 3}, {3, 2, 1, 0}), InputError);
+}
+
 TEST(TabulatedPotential, RefusesWhatIsNoTable) {
   EXPECT_THROW(TabulatedPotential({1, 2, 2, 3}, {3, 2, 1, 0}), InputError);
   EXPECT_THROW(TabulatedPotential({1, 2, 3}, {3, 2, 1}), InputError);
