@@ -126,7 +126,8 @@ Model read_parametric(TomlReader& file) {
   auto table = file.table(FileForm<Model>::table);
   typename FileForm<Model>::P parameters{};
   for (auto const& key : FileForm<Model>::keys)
-    parameters.*key.member = table.number(key.name);
+    parameters.*key.member =
+        key.if_missing && !table.has(key.name) ? *key.if_missing : table.number(key.name);
   table.refuse_unknown();
   return Model(parameters);
 }
@@ -266,10 +267,31 @@ EosModel parse_model(std::string_view text, std::string const& file_name) {
   }
 }
 
+namespace {
+
+/// The usable range of a material as that of a fit: energies are extreme at its corners.
+std::optional<ValidRange> valid_range(Material const& material) {
+  if (!material.usable)
+    return std::nullopt;
+  auto const& [rho_min, rho_max, T_min, T_max] = *material.usable;
+  std::vector<double> e;
+  std::visit(
+      [&](auto const& eos) {
+        for (double const rho : {rho_min, rho_max})
+          for (double const T : {T_min, T_max})
+            e.push_back(eos.energy_from_temperature(T, rho));
+      },
+      material.eos);
+  auto const [e_min, e_max] = std::ranges::minmax(e);
+  return ValidRange{rho_min, rho_max, T_min, T_max, e_min, e_max};
+}
+
+} // namespace
+
 EosModel load_eos(std::string const& name_or_file,
                   std::function<std::string(std::string const&)> const& read_text) {
   if (std::ranges::find(materials(), name_or_file, &Material::name) != materials().end())
-    return {material(name_or_file).eos, {}, {}, {}, {}, {}};
+    return {material(name_or_file).eos, {}, valid_range(material(name_or_file)), {}, {}, {}};
   if (!name_or_file.ends_with(".toml"))
     throw InputError(fmt::format("model '{}': must be a model file (*.toml) or a built-in material: {}",
                                  name_or_file, material_names()));

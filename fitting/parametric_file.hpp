@@ -1,6 +1,7 @@
 #pragma once
 #include "fitting/eos/list.hpp"
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace mesobridge::fitting {
@@ -10,6 +11,7 @@ template <class Parameters>
 struct FileKey {
   std::string_view name;
   double Parameters::*member;
+  std::optional<double> if_missing = std::nullopt; ///< for keys that older files do not have
 };
 
 /// How a model that is a plain struct of numbers stands in a file: `kind = "..."` and one table of keys.
@@ -69,11 +71,12 @@ template <>
 struct FileForm<StiffenedGas> {
   using P = StiffenedGasParameters;
   static constexpr std::string_view kind = "stiffened-gas", table = "stiffened_gas";
-  static constexpr std::array<FileKey<P>, 5> keys{{{"gamma", &P::gamma},
+  static constexpr std::array<FileKey<P>, 6> keys{{{"gamma", &P::gamma},
                                                    {"P_inf_Pa", &P::P_inf},
                                                    {"c_v_J_kg_K", &P::c_v},
                                                    {"q_J_kg", &P::q},
-                                                   {"m0_kg", &P::m0}}};
+                                                   {"m0_kg", &P::m0},
+                                                   {"b_m3_kg", &P::b, 0.0}}};
 };
 
 /// A model that has a FileForm.

@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/concept.hpp"
+#include "md/error.hpp"
 #include <cmath>
 #include <optional>
 
@@ -22,7 +23,30 @@ struct EosState {
   std::optional<double> alpha_r;     ///< A_res/(k_B T) per atom, for Lennard-Jones models
 };
 
-/// Throws PhysicsError when the state is outside the model's domain.
+/// Throws PhysicsError that names the state where a quantity is no finite number, or so small that its digits
+/// are lost: every model has such states.
+inline EosState const& require_numbers(EosState const& state, std::string_view model) {
+  auto const refuse = [&](std::string_view quantity, double value) {
+    if (!std::isfinite(value) || std::fpclassify(value) == FP_SUBNORMAL)
+      throw PhysicsError(
+          fmt::format("{} at density {}, temperature {}: {} = {}; the state is too extreme for "
+                      "double precision",
+                      model, state.rho, state.T, quantity, value));
+  };
+  refuse("density", state.rho);
+  refuse("temperature", state.T);
+  refuse("energy", state.e);
+  refuse("pressure", state.P);
+  refuse("entropy", state.s);
+  refuse("heat capacity", state.c_v);
+  refuse("sound speed^2", state.sound_speed_squared);
+  refuse("Gruneisen parameter", state.gruneisen);
+  refuse("free energy", state.free_energy);
+  refuse("alpha_r", state.alpha_r.value_or(0));
+  return state;
+}
+
+/// Throws PhysicsError when the state is outside the model's domain, or so extreme that its numbers overflow.
 template <EquationOfState E>
 EosState state_from_temperature(E const& eos, double rho, double T) {
   double const e = eos.energy_from_temperature(T, rho);
@@ -44,7 +68,7 @@ EosState state_from_temperature(E const& eos, double rho, double T) {
     state.sound_speed = std::sqrt(c_2);
   if constexpr (requires { eos.alpha_r(rho, T); })
     state.alpha_r = eos.alpha_r(rho, T);
-  return state;
+  return require_numbers(state, E::name);
 }
 
 template <EquationOfState E>

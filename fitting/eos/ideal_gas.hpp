@@ -47,6 +47,7 @@ class BasicIdealGasIsochore {
 /// The logarithms are of the numbers in the model's units: s = 0 at e = 1, rho = 1.
 class IdealGas {
  public:
+  static constexpr std::string_view name = "ideal gas";
   using Isochore = BasicIdealGasIsochore<double>;
 
   /// m0: mass of one molecule > 0; dof > 0; k_B in the same units. Throws InputError.

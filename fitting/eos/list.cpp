@@ -14,8 +14,11 @@ std::vector<Material> const& materials() {
       {"nitromethane", "unreacted nitromethane, HZ (thesis, Table 6.2), SI", Hz(nitromethane_parameters)},
       {"nitromethane-products", "its detonation products, JWL (thesis, Table 6.3), SI",
        Jwl(nitromethane_products_parameters)},
-      {"water", "liquid water, 298 to 473 K, stiffened gas (Le Metayer et al. 2004), SI",
-       StiffenedGas(water_parameters)},
+      {"water",
+       "liquid water, 940 to 1170 kg/m^3 and 280 to 350 K (there its density is within 3 %), stiffened gas "
+       "of "
+       "Noble and Abel (Le Metayer and Saurel 2016), 0.1 MPa and 1500 m/s at 997 kg/m^3 and 300 K, SI",
+       StiffenedGas(water_parameters), UsableRange{940, 1170, 280, 350}},
       {"lj-kn", "Lennard-Jones fluid, Kolafa and Nezbeda 1994, 0.68 <= T* <= 20, reduced units",
        LjKolafaNezbeda()},
       {"lj-thol", "Lennard-Jones fluid, Thol et al. 2016, 0.661 <= T* <= 9, reduced units", LjThol()},

@@ -7,6 +7,7 @@
 #include "fitting/eos/mie_gruneisen.hpp"
 #include "fitting/eos/stiffened_gas.hpp"
 #include "fitting/eos/thol.hpp"
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,11 +19,17 @@ namespace mesobridge::fitting {
 /// loop.
 using AnyEos = std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, StiffenedGas, LjKolafaNezbeda, LjThol>;
 
+/// Where a material's model is near the real one, in the model's units.
+struct UsableRange {
+  double rho_min, rho_max, T_min, T_max;
+};
+
 /// A material that needs no file.
 struct Material {
   std::string name;
   std::string description; ///< one line, with units and source
   AnyEos eos;
+  std::optional<UsableRange> usable = std::nullopt; ///< nothing: as the description says
 };
 
 /// `lj...` in Lennard-Jones units, the others in SI.

@@ -26,6 +26,7 @@ inline constexpr LjBwrSet lj_bwr_1993{.x = lj_bwr_1993_parameters,
 /// that stays at one density should hold the isochore.
 class LjBwr {
  public:
+  static constexpr std::string_view name = "LJ-BWR";
   using Isochore = LjBwrIsochore;
 
   /// Throws InputError when a parameter is not finite or a bound is not positive.

@@ -10,16 +10,19 @@ struct StiffenedGasParameters {
   double c_v;   ///< [J/(kg K)]
   double q;     ///< zero of the energy [J/kg]
   double m0;    ///< mass of one molecule [kg]
+  double b = 0; ///< >= 0: covolume, which no pressure takes away [m^3/kg]
 };
 
-/// Liquid water between 298 and 473 K: Le Metayer, Massoni, Saurel, Int. J. Therm. Sci. 43 (2004) 265.
+/// Liquid water: gamma, c_v and q by Le Metayer and Saurel, Phys. Fluids 28 (2016) 046102 (300 to 500 K along
+/// the saturation curve); P_inf and b follow from P = 0.1 MPa and c = 1500 m/s at 997 kg/m^3 and 300 K.
 inline constexpr StiffenedGasParameters water_parameters{
-    .gamma = 2.35, .P_inf = 1e9, .c_v = 1816, .q = -1.167e6, .m0 = 18.015 * atomic_mass};
+    .gamma = 1.19, .P_inf = 6.2178e8, .c_v = 3610, .q = -1177788, .m0 = 18.015 * atomic_mass, .b = 6.7212e-4};
 
-/// The stiffened gas (an ideal gas under the inner pressure P_inf), per unit mass:
-///   e = q + c_v T + P_inf/rho,  P = (gamma - 1) rho (e - q) - gamma P_inf,
-///   s = c_v [ln T - (gamma - 1) ln rho],  c^2 = gamma (P + P_inf)/rho.
-/// The logarithms are of the numbers in K and kg/m^3.
+/// The stiffened gas of Noble and Abel (an ideal gas under the inner pressure P_inf, of molecules that take
+/// the volume b; b = 0: the plain stiffened gas), per unit mass, v = 1/rho:
+///   e = q + c_v T + P_inf (v - b),  P = (gamma - 1)(e - q)/(v - b) - gamma P_inf,
+///   s = c_v [ln T + (gamma - 1) ln(v - b)],  c^2 = gamma v^2 (P + P_inf)/(v - b).
+/// The logarithms are of the numbers in K and m^3/kg.
 class StiffenedGas : public LinearEos<StiffenedGas> {
  public:
   static constexpr std::string_view name = "stiffened gas";
@@ -31,16 +34,17 @@ class StiffenedGas : public LinearEos<StiffenedGas> {
   LinearLaw<X> law(X rho) const {
     using std::log;
     double const Gamma = p_.gamma - 1;
-    return {.E = p_.q + p_.P_inf / rho,
+    X const free = 1.0 - p_.b * rho; // part of the volume that is not the molecules' own
+    return {.E = p_.q + p_.P_inf / rho - p_.P_inf * p_.b,
             .P = -p_.P_inf,
             .P_slope = 0.0,
-            .Gamma = Gamma,
-            .rho_Gamma_slope = Gamma,
-            .phi = Gamma * log(rho)};
+            .Gamma = Gamma / free,
+            .rho_Gamma_slope = Gamma / (free * free),
+            .phi = Gamma * log(rho / free)};
   }
 
   double c_v() const { return p_.c_v; }
-  double rho_max() const { return std::numeric_limits<double>::infinity(); }
+  double rho_max() const { return p_.b > 0 ? 1 / p_.b : std::numeric_limits<double>::infinity(); }
   double molecular_mass() const { return p_.m0; }
   double boltzmann() const { return k_B; }
   StiffenedGasParameters const& parameters() const { return p_; }

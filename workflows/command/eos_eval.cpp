@@ -1,6 +1,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/eos/named_fluid.hpp"
 #include "workflows/eos_options.hpp"
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
@@ -24,9 +25,11 @@ struct Line {
 fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
   int const given = int{options.T.has_value()} + int{options.e.has_value()} + int{options.s.has_value()};
   require(given == 1, "options --T, --e, --s", given, "exactly one of them must be given");
-  require(options.rho > 0 && std::isfinite(options.rho), "--rho", options.rho, "must be > 0");
+  require_positive_number("--rho", options.rho);
   if (options.T)
-    require(*options.T > 0 && std::isfinite(*options.T), "--T", *options.T, "must be > 0");
+    require_positive_number("--T", *options.T);
+  for (auto const& [name, value] : {std::pair{"--e", options.e}, std::pair{"--s", options.s}})
+    require(!value || std::isfinite(*value), name, value.value_or(0), "must be finite");
   return std::visit(
       [&](auto const& eos) {
         if (options.T)

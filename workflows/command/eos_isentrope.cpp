@@ -3,6 +3,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
+#include "workflows/interrupt.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -22,6 +23,7 @@ Columns along(fitting::Isentrope const& isentrope, fitting::EosState const& to, 
   std::vector<fitting::EosState> states;
   Column velocity{"velocity_change", "_m_s", "m/s", {}};
   for (int i = 0; i <= points; ++i) {
+    throw_if_interrupted();
     double const rho = i == points ? to.rho : from.rho * std::pow(to.rho / from.rho, double(i) / points);
     states.push_back(isentrope.at_density(rho));
     velocity.values.push_back(isentrope.velocity_change(from.rho, rho));
@@ -60,7 +62,7 @@ Result isentrope(Options const& options, Context const& context) {
   require(options.points >= 2 && options.points <= 100000, "--points", options.points,
           "must lie between 2 and 100000");
   if (options.rho)
-    require(*options.rho > 0 && std::isfinite(*options.rho), "--rho", *options.rho, "must be > 0");
+    require_positive_number("--rho", *options.rho);
   auto const model = load_fluid(options.eos);
   fitting::Isentrope const isentrope(model.fluid, options.initial.of(model.fluid));
   auto const to = options.rho ? isentrope.at_density(*options.rho) : isentrope.at_pressure(*options.P);

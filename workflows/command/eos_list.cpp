@@ -24,6 +24,11 @@ Result list(Context&) {
                                      {"T_min" + kelvin, bound(domain.T_min)},
                                      {"T_max" + kelvin, bound(domain.T_max)},
                                      {"edge", domain.edge}});
+    if (auto const& usable = material.usable)
+      result.json["models"].back().update(Json{{"usable_rho_min" + density, usable->rho_min},
+                                               {"usable_rho_max" + density, usable->rho_max},
+                                               {"usable_T_min" + kelvin, usable->T_min},
+                                               {"usable_T_max" + kelvin, usable->T_max}});
     result.text +=
         fmt::format("{:<22} {}\n{:<22} edge: {}\n", material.name, material.description, "", domain.edge);
   }

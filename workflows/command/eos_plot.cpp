@@ -4,6 +4,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
+#include "workflows/interrupt.hpp"
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
 
@@ -25,6 +26,7 @@ Series curve(std::string const& label, Options const& options, bool reduced, Ser
              State&& state) {
   std::vector<fitting::EosState> states;
   for (int i = 0; i <= options.points; ++i) {
+    throw_if_interrupted();
     double const rho = options.rho_min + (options.rho_max - options.rho_min) * i / options.points;
     try {
       states.push_back(state(rho));
@@ -79,7 +81,7 @@ void validate(Options const& options, Context const& context) {
   require(context.options.output.has_value(), "-o", "", "a file must be given");
   require(curve_file(*context.options.output) != CurveFile::csv, "-o", context.options.output->string(),
           "must end in .svg or .html (`eos table` writes numbers)");
-  require(options.rho_min > 0 && std::isfinite(options.rho_min), "--rho-min", options.rho_min, "must be > 0");
+  require_positive_number("--rho-min", options.rho_min);
   require(options.rho_max > options.rho_min && std::isfinite(options.rho_max), "--rho-max", options.rho_max,
           "must exceed --rho-min");
   require(options.points >= 2 && options.points <= 100000, "--points", options.points,
@@ -89,7 +91,7 @@ void validate(Options const& options, Context const& context) {
   require(options.rho0 || !options.isotherms.empty(), "curves", 0,
           "give --T for isotherms, or --rho0 and --T0 for the Hugoniot and the isentrope");
   for (double const T : options.isotherms)
-    require(T > 0 && std::isfinite(T), "--T", T, "must be > 0");
+    require_positive_number("--T", T);
 }
 
 Result plot(Options const& options, Context const& context) {

@@ -3,6 +3,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
+#include "workflows/interrupt.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -22,8 +23,9 @@ struct Side {
     app.add_option("--u-" + name, u, "Its velocity to the right (SI: m/s)");
   }
   fitting::RiemannSide of(NamedFluid const& fluid, std::string const& name) const {
-    require(rho > 0 && std::isfinite(rho), "--rho-" + name, rho, "must be > 0");
-    require(T > 0 && std::isfinite(T), "--T-" + name, T, "must be > 0");
+    require_positive_number("--rho-" + name, rho);
+    require_positive_number("--T-" + name, T);
+    require(std::isfinite(u), "--u-" + name, u, "must be finite");
     return {fluid.fluid, fluid.fluid.at_temperature(rho, T), u};
   }
 };
@@ -40,6 +42,7 @@ Columns flow_columns(fitting::RiemannSolution const& solution, int points) {
   Columns columns{{"x_over_t", "_m_s", "m/s", {}}, {"u", "_m_s", "m/s", {}}};
   std::vector<fitting::EosState> states;
   for (int i = 0; i <= points; ++i) {
+    throw_if_interrupted();
     double const xi = left - margin + (right - left + 2 * margin) * i / points;
     auto const flow = solution.at(xi);
     columns[0].values.push_back(xi);
@@ -75,6 +78,7 @@ Plot riemann_plot(Columns const& columns, bool reduced) {
 }
 
 Json wave_json(fitting::RiemannSolution::Speeds const& speeds, bool shock, bool reduced) {
+  require_numbers({{"head", "", "", {speeds.head}}, {"tail", "", "", {speeds.tail}}});
   std::string const unit = reduced ? "" : "_m_s";
   return {
       {"kind", shock ? "shock" : "rarefaction"}, {"head" + unit, speeds.head}, {"tail" + unit, speeds.tail}};
@@ -115,7 +119,7 @@ Command eos_riemann_command() {
       .summary = "Two half spaces in contact: their waves, exactly (-o FILE.csv, .svg or .html)",
       .example =
           "mesobridge eos riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water "
-          "--rho-right 1050 --T-right 300 -o waves.svg",
+          "--rho-right 997 --T-right 300 -o waves.svg",
       .declare = [](CLI::App& app) -> Command::Action {
         auto options = std::make_shared<Options>();
         options->left.declare(app, "left");

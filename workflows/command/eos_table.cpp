@@ -2,6 +2,7 @@
 #include "workflows/command/list.hpp"
 #include "workflows/eos/columns.hpp"
 #include "workflows/eos/named_fluid.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
@@ -15,7 +16,7 @@ struct Range {
   int points = 0;
 
   void require_valid(std::string const& name) const {
-    require(min > 0 && std::isfinite(min), "--" + name + "-min", min, "must be > 0");
+    require_positive_number("--" + name + "-min", min);
     require(max > min && std::isfinite(max), "--" + name + "-max", max, "must exceed --" + name + "-min");
     require(points >= 2 && points <= 10000, "--" + name + "-points", points, "must lie between 2 and 10000");
   }
@@ -33,6 +34,7 @@ Columns table_columns(NamedFluid const& model, Options const& options) {
   Column square{"sound_speed_squared", "_m2_s2", "m^2/s^2", {}};
   for (int i = 0; i < options.rho.points; ++i)
     for (int j = 0; j < options.T.points; ++j) {
+      throw_if_interrupted();
       states.push_back(model.fluid.at_temperature(options.rho.at(i), options.T.at(j)));
       square.values.push_back(states.back().sound_speed_squared);
     }
@@ -77,6 +79,9 @@ Result table(Options const& options, Context const& context) {
           "must end in .csv or .h5");
   options.rho.require_valid("rho");
   options.T.require_valid("T");
+  constexpr std::int64_t most = 4'000'000;
+  require(std::int64_t{options.rho.points} * options.T.points <= most, "--rho-points times --T-points",
+          std::int64_t{options.rho.points} * options.T.points, fmt::format("must be at most {}", most));
   auto const model = load_fluid(options.eos);
   auto const columns = table_columns(model, options);
   if (file.extension() == ".csv")

@@ -1,4 +1,6 @@
 #include "workflows/eos/columns.hpp"
+#include "md/error.hpp"
+#include <cmath>
 
 namespace mesobridge::workflows {
 
@@ -42,13 +44,28 @@ Columns shock_columns(std::vector<Shock> const& shocks) {
   return columns;
 }
 
+void require_numbers(Columns const& columns) {
+  for (auto const& c : columns)
+    for (std::size_t row = 0; row < c.values.size(); ++row)
+      if (auto const& value = c.values[row]; value && !std::isfinite(*value)) {
+        std::string state;
+        for (auto const& other : columns)
+          if (auto const& here = other.values.at(row); here && (other.key == "rho" || other.key == "T"))
+            state += fmt::format("{}{} = {}", state.empty() ? " at " : ", ", other.key, *here);
+        throw PhysicsError(
+            fmt::format("{} = {}{}: the state is too extreme for double precision", c.key, *value, state));
+      }
+}
+
 void put_first_row(Json& object, Columns const& columns, bool reduced, std::string const& prefix) {
+  require_numbers(columns);
   for (auto const& c : columns)
     if (auto const value = c.values.front())
       object[prefix + c.name(reduced)] = *value;
 }
 
 Json arrays(Columns const& columns, bool reduced) {
+  require_numbers(columns);
   Json object = Json::object();
   for (auto const& c : columns) {
     auto& array = object[c.name(reduced)] = Json::array();
@@ -59,6 +76,7 @@ Json arrays(Columns const& columns, bool reduced) {
 }
 
 std::string csv_text(Columns const& columns, bool reduced) {
+  require_numbers(columns);
   std::string text;
   for (auto const& c : columns)
     text += (text.empty() ? "" : ",") + c.name(reduced);
@@ -73,6 +91,7 @@ std::string csv_text(Columns const& columns, bool reduced) {
 }
 
 std::string lines_text(Columns const& columns, bool reduced) {
+  require_numbers(columns);
   std::string text;
   for (auto const& c : columns)
     if (auto const value = c.values.front())

@@ -23,6 +23,9 @@ Columns state_columns(std::vector<fitting::EosState> const& states);
 /// v_P, v_S, then the columns of the states behind.
 Columns shock_columns(std::vector<fitting::Shock> const& shocks);
 
+/// Throws PhysicsError that names the first row with a value that is no finite number: none is ever printed.
+void require_numbers(Columns const& columns);
+
 /// The first row as scalars, without what is absent; `prefix` goes before each key.
 void put_first_row(Json& object, Columns const& columns, bool reduced, std::string const& prefix = "");
 /// The columns as arrays; null where absent.

@@ -1,5 +1,6 @@
 #include "workflows/eos/named_fluid.hpp"
 #include <CLI/CLI.hpp>
+#include <limits>
 
 namespace mesobridge::workflows {
 
@@ -21,6 +22,12 @@ void require_same_units(NamedFluid const& a, NamedFluid const& b) {
                                  b.reduced ? "Lennard-Jones units" : "SI"));
 }
 
+void require_positive_number(std::string const& option, double value) {
+  require(value > 0 && std::isnormal(value), option, value,
+          fmt::format("must be > 0, finite and at least {:.3g}, below which digits are lost",
+                      std::numeric_limits<double>::min()));
+}
+
 void InitialState::declare(CLI::App& app) {
   app.add_option("--rho0", rho0, "Density of the state at rest, in the model's units (SI: kg/m^3)")
       ->required();
@@ -28,8 +35,8 @@ void InitialState::declare(CLI::App& app) {
 }
 
 fitting::EosState InitialState::of(fitting::Fluid const& fluid) const {
-  require(rho0 > 0 && std::isfinite(rho0), "--rho0", rho0, "must be > 0");
-  require(T0 > 0 && std::isfinite(T0), "--T0", T0, "must be > 0");
+  require_positive_number("--rho0", rho0);
+  require_positive_number("--T0", T0);
   return fluid.at_temperature(rho0, T0);
 }
 

@@ -19,6 +19,10 @@ NamedFluid load_fluid(std::string const& name_or_file);
 /// Throws InputError unless both are in SI or both reduced.
 void require_same_units(NamedFluid const& a, NamedFluid const& b);
 
+/// Throws InputError that names the option unless the value is > 0, finite, and not so small that double
+/// precision loses its digits.
+void require_positive_number(std::string const& option, double value);
+
 /// A state at rest given by --rho0 and --T0.
 struct InitialState {
   double rho0 = 0, T0 = 0;

@@ -1,4 +1,5 @@
 #include "workflows/eos/shock_options.hpp"
+#include "workflows/interrupt.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
@@ -33,7 +34,13 @@ std::optional<fitting::Shock> ShockOptions::shock(fitting::Hugoniot const& hugon
 std::vector<fitting::Shock> ShockOptions::curve(fitting::Hugoniot const& hugoniot,
                                                 std::optional<fitting::Shock> const& asked) const {
   constexpr double further = 1.2;
-  return hugoniot.curve(P_max ? *P_max : further * asked->behind.P, points);
+  double const first = hugoniot.constant_volume_state().P, last = P_max ? *P_max : further * asked->behind.P;
+  std::vector<fitting::Shock> shocks;
+  for (int i = 1; i <= points; ++i) {
+    throw_if_interrupted();
+    shocks.push_back(hugoniot.from_pressure(first + (last - first) * i / points));
+  }
+  return shocks;
 }
 
 } // namespace mesobridge::workflows

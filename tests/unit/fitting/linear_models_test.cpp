@@ -1,4 +1,6 @@
-#include "fitting/eos/list.hpp"
+#include "fitting/fluid.hpp"
+#include "fitting/root.hpp"
+#include <array>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -92,13 +94,46 @@ TEST(Jwl, PassesThroughItsChapmanJouguetState) {
   EXPECT_NEAR(products().pressure(e, rho) / p.P_CJ, 1, 1e-12);
 }
 
+/// Le Metayer, Massoni, Saurel, Int. J. Therm. Sci. 43 (2004) 265: liquid water without covolume.
+StiffenedGas plain_water() {
+  return StiffenedGas({.gamma = 2.35, .P_inf = 1e9, .c_v = 1816, .q = -1.167e6, .m0 = 18.015 * atomic_mass});
+}
+
 TEST(StiffenedGas, IsTheTextbookLaw) {
-  auto const& water = std::get<StiffenedGas>(material("water").eos);
+  auto const water = plain_water();
   double const rho = 1100, T = 350, e = water.energy_from_temperature(T, rho);
   double const P = water.pressure(e, rho);
   EXPECT_NEAR(P, 1.35 * rho * (e + 1.167e6) - 2.35e9, 1e-12 * 1e9);
   EXPECT_NEAR(water.sound_speed(e, rho), std::sqrt(2.35 * (P + 1e9) / rho), 1e-9);
   EXPECT_NEAR(water.gruneisen(e, rho), 1.35, 1e-12);
+}
+
+TEST(StiffenedGas, WithCovolumeIsTheLawOfNobleAndAbel) {
+  auto const& water = std::get<StiffenedGas>(material("water").eos);
+  double const rho = 1100, T = 350, v = 1 / rho, b = 6.7212e-4, e = water.energy_from_temperature(T, rho);
+  EXPECT_NEAR(e, -1177788 + 3610 * T + 6.2178e8 * (v - b), 1e-6);
+  double const P = water.pressure(e, rho);
+  EXPECT_NEAR(P, 0.19 * (e + 1177788) / (v - b) - 1.19 * 6.2178e8, 1e-3);
+  EXPECT_NEAR(water.sound_speed(e, rho), std::sqrt(1.19 * v * v * (P + 6.2178e8) / (v - b)), 1e-8);
+  EXPECT_NEAR(water.entropy(water.energy_from_temperature(400, 1000), 1000) - water.entropy(e, rho),
+              3610 * (std::log(400 / T) + 0.19 * std::log((1e-3 - b) / (v - b))), 1e-8);
+}
+
+TEST(Water, IsAtAtmosphericPressureAtRoomTemperature) {
+  Fluid const water(material("water").eos);
+  auto const room = water.at_temperature(997, 300);
+  EXPECT_NEAR(room.P, 1e5, 5e4);
+  EXPECT_NEAR(room.sound_speed.value(), 1500, 1);
+  // Measured densities (IAPWS): 999.9 kg/m^3 at 280 K, 973.7 at 350 K, 1037 at 300 K and 100 MPa.
+  int compared = 0;
+  for (auto const& [T, P, rho] :
+       {std::array{280.0, 1e5, 999.9}, std::array{350.0, 1e5, 973.7}, std::array{300.0, 1e8, 1037.0}}) {
+    double const found =
+        bracketed_zero([&](double at) { return water.at_temperature(at, T).P - P; }, 900.0, 1200.0);
+    EXPECT_NEAR(found / rho, 1, 0.03);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3);
 }
 
 TEST(StiffenedGas, WithoutStiffnessIsTheIdealGas) {
@@ -169,10 +204,11 @@ TEST(LinearModels, BadParametersAreRefused) {
                                                                 {&J::m0, {0}}})),
             34);
   using S = StiffenedGasParameters;
-  EXPECT_EQ((refused<StiffenedGas, S>(
-                water_parameters,
-                {{&S::gamma, {1}}, {&S::P_inf, {-1}}, {&S::c_v, {0}}, {&S::q, {}}, {&S::m0, {0}}})),
-            14);
+  EXPECT_EQ(
+      (refused<StiffenedGas, S>(
+          water_parameters,
+          {{&S::gamma, {1}}, {&S::P_inf, {-1}}, {&S::c_v, {0}}, {&S::q, {}}, {&S::m0, {0}}, {&S::b, {-1}}})),
+      17);
 }
 
 /// The message of the PhysicsError that f throws.
