@@ -62,7 +62,7 @@ TEST(ExtremeStates, AreFiniteOrRefused) {
 }
 
 TEST(ExtremeStates, OfShocksWavesAndReleasesAreFiniteOrRefused) {
-  double const few[] = {1e-308, 1e-30, 1e-3, 1, 300, 997, 1e6, 1e30, 1e300};
+  double const few[] = {1e-308, 1e-30, 0.5, 1, 300, 997, 1e30};
   for (auto const& material : materials()) {
     SCOPED_TRACE(material.name);
     Fluid const fluid(material.eos);
