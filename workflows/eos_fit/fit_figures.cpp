@@ -196,9 +196,7 @@ std::optional<Plot> pressure_over_density(EosFit const& fit) {
   Plot plot{.name = "pressure",
             .title = "Hugoniot: P over density",
             .x = {.label = drawn(Quantity::rho).label},
-            .panels = {Panel{.y = {.label = P_label}}},
-            .width = 760,
-            .height = 460};
+            .panels = {Panel{.y = {.label = P_label}}}};
   int colour = 0;
   for (auto const& [key, members] : curves) {
     Series data{
