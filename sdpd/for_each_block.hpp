@@ -1,7 +1,7 @@
 #pragma once
 #include "sdpd/barrier.hpp"
 #include "sdpd/block_shares.hpp"
-#include <omp.h>
+#include "sdpd/team.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -17,22 +17,16 @@ void for_each_block(CellGrid const& grid, int threads, F&& f) {
       f(block);
     return;
   }
-  std::optional<Barrier> barrier;
-  std::optional<BlockShares> shares;
-#pragma omp parallel num_threads(threads)
-  {
-#pragma omp single // ends with a barrier of its own: all see what it made
-    {
-      barrier.emplace(omp_get_num_threads());
-      shares.emplace(grid, omp_get_num_threads());
-    }
+  Barrier barrier(threads);
+  BlockShares shares(grid, threads);
+  on_threads(threads, [&](int thread) {
     for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
-      while (auto const block = shares->take(phase, omp_get_thread_num()))
+      while (auto const block = shares.take(phase, thread))
         f(*block);
-      if constexpr (phases == Phases::in_turn)
-        barrier->wait();
+      if (phases == Phases::in_turn && phase + 1 < grid.phase_count())
+        barrier.wait();
     }
-  }
+  });
 }
 
 } // namespace mesobridge::sdpd

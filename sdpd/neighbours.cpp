@@ -4,6 +4,7 @@
 #include "sdpd/matchings.hpp"
 #include "sdpd/wide_lanes.hpp"
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <limits>
 #include <numeric>
@@ -19,9 +20,7 @@ void reorder(std::vector<T>& values, std::vector<T>& room, std::span<Index const
   if (values.empty())
     return; // the method has no such quantity
   room.resize(values.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t k = 0; k < order.size(); ++k)
-    room[k] = values[order[k]];
+  for_each_index(order.size(), threads, [&](std::size_t k) { room[k] = values[order[k]]; });
   values.swap(room);
 }
 
@@ -85,10 +84,14 @@ bool Neighbours::outdated(std::span<Vec3 const> q) const {
   if (q_renewed_.empty())
     return true;
   double const allowed = skin_ * skin_ / 4;
-  bool far = false;
-#pragma omp parallel for schedule(static) num_threads(threads_) reduction(|| : far)
-  for (std::size_t i = 0; i < q.size(); ++i)
-    far = far || !(norm2(q[i] - q_renewed_[i]) <= allowed);
+  std::atomic<bool> far = false;
+  for_each_part(q.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    bool some = false;
+    for (std::size_t i = begin; i < end; ++i)
+      some = some || !(norm2(q[i] - q_renewed_[i]) <= allowed);
+    if (some)
+      far.store(true, std::memory_order_relaxed);
+  });
   return far;
 }
 
@@ -101,9 +104,8 @@ void Neighbours::find_members(std::size_t block) {
 }
 
 void Neighbours::renew(Particles& particles) {
-#pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    particles.q[i] = box_.wrap(particles.q[i]);
+  for_each_index(particles.size(), threads_,
+                 [&](std::size_t i) { particles.q[i] = box_.wrap(particles.q[i]); });
   sort(particles);
   q_renewed_ = particles.q;
   largest_block_ = 0;
@@ -124,9 +126,8 @@ void Neighbours::renew(Particles& particles) {
 void Neighbours::sort(Particles& particles) {
   auto& [cell, next, order] = sorting_;
   cell.resize(particles.size()), order.resize(particles.size());
-#pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    cell[i] = grid_.cell_of(particles.q[i]);
+  for_each_index(particles.size(), threads_,
+                 [&](std::size_t i) { cell[i] = grid_.cell_of(particles.q[i]); });
   cell_begin_.assign(grid_.cell_count() + 1, 0);
   for (Index const c : cell)
     ++cell_begin_[c + 1];
@@ -134,10 +135,10 @@ void Neighbours::sort(Particles& particles) {
   next.assign(cell_begin_.begin(), cell_begin_.end() - 1);
   for (std::size_t i = 0; i < particles.size(); ++i)
     order[next[cell[i]]++] = static_cast<Index>(i);
-#pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::size_t c = 0; c < grid_.cell_count(); ++c)
+  for_each_index(grid_.cell_count(), threads_, [&](std::size_t c) {
     std::sort(order.begin() + cell_begin_[c], order.begin() + cell_begin_[c + 1],
               [&](Index a, Index b) { return particles.id[a] < particles.id[b]; });
+  });
   auto each = [&]<class... T>(std::vector<T>&... values) {
     (reorder(values, std::get<std::vector<T>>(room_), order, threads_), ...);
   };

@@ -11,9 +11,7 @@ class SelectedPairs {
   template <class Keep>
   SelectedPairs(System& system, Keep const& keep)
       : neighbours_(system.neighbours), all_(neighbours_.grid().blocks().size()) {
-#pragma omp parallel for schedule(dynamic) num_threads(system.threads)
-    for (std::size_t block = 0; block < all_.size(); ++block)
-      select(block, keep);
+    for_each_index(all_.size(), system.threads, [&](std::size_t block) { select(block, keep); });
   }
   ~SelectedPairs() {
     for (std::size_t block = 0; block < all_.size(); ++block) {

@@ -4,6 +4,7 @@
 #include "sdpd/pair/list.hpp"
 #include "sdpd/pair/potential.hpp"
 #include "sdpd/pair_scheme.hpp"
+#include "sdpd/team.hpp"
 #include "sdpd/thermodynamics.hpp"
 #include <algorithm>
 
@@ -56,9 +57,7 @@ struct System {
 template <class T>
 void set_all(System const& system, std::vector<T>& values, T const& value) {
   values.resize(system.size());
-#pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = value;
+  for_each_index(values.size(), system.threads, [&](std::size_t i) { values[i] = value; });
 }
 
 /// Particles that are worked on by one thread at a time.
@@ -67,9 +66,9 @@ inline constexpr std::size_t range_length = 512;
 /// Calls f(range) for all particles in parts, on all threads.
 template <class F>
 void for_each_range(System const& system, F&& f) {
-#pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t begin = 0; begin < system.size(); begin += range_length)
-    f(Range{begin, std::min(begin + range_length, system.size())});
+  for_each_index((system.size() + range_length - 1) / range_length, system.threads, [&](std::size_t k) {
+    f(Range{k * range_length, std::min((k + 1) * range_length, system.size())});
+  });
 }
 
 } // namespace mesobridge::sdpd

@@ -15,18 +15,16 @@ void renew_thermodynamics(System& system, F const& f) {
 
 void kick(System& system, double dt) {
   auto& particles = system.particles;
-#pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    particles.p[i] += particles.f[i] * dt;
+  for_each_index(particles.size(), system.threads,
+                 [&](std::size_t i) { particles.p[i] += particles.f[i] * dt; });
 }
 
 void kick_and_drift(System& system, double kick_dt, double drift_dt) {
   auto& particles = system.particles;
-#pragma omp parallel for schedule(static) num_threads(system.threads)
-  for (std::size_t i = 0; i < particles.size(); ++i) {
+  for_each_index(particles.size(), system.threads, [&](std::size_t i) {
     particles.p[i] += particles.f[i] * kick_dt;
     particles.q[i] += particles.p[i] * drift_dt;
-  }
+  });
 }
 
 void refresh_lists(System& system) {

@@ -86,11 +86,10 @@ void sweep_all_blocks(System& system, PairCounts& total, SweepBlock const& sweep
   for (auto const& of_block : counts)
     total += of_block;
   if constexpr (Law::has_energies) {
-#pragma omp parallel for schedule(static) num_threads(system.threads)
-    for (std::size_t i = 0; i < particles.size(); ++i) {
+    for_each_index(particles.size(), system.threads, [&](std::size_t i) {
       particles.eps[i] += system.energy_gain[i];
       particles.T[i] = particles.caloric[i].T(system.energy_gain[i]);
-    }
+    });
   }
 }
 
