@@ -1,5 +1,6 @@
 #include "sdpd/simulation.hpp"
 #include "sdpd/observe/compression.hpp"
+#include "sdpd/observe/pairing.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/system.hpp"
 
@@ -47,6 +48,10 @@ double Simulation::neighbours() const {
 
 double Simulation::compression_response() const {
   return sdpd::compression_response(*system_);
+}
+
+double Simulation::pairing_fraction() const {
+  return sdpd::pairing_fraction(*system_);
 }
 
 } // namespace mesobridge::sdpd

@@ -26,7 +26,7 @@ struct SimulationSettings {
                                        10}; ///< particles along each edge of the initial cubic lattice
   double disorder =
       0; ///< standard deviation of the initial displacements from it, in lattice spacings, 0 ... 0.5
-  std::string kernel = "cubic"; ///< one of kernel_names()
+  std::string kernel = "wendland-c4"; ///< one of kernel_names(); see observe/pairing.hpp
   DensityCorrection density_correction = {};
   double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
   double eta = 0;        ///< shear viscosity
@@ -125,6 +125,8 @@ class Simulation {
   void set_density_correction(DensityCorrection const& correction);
   /// See observe/compression.hpp.
   double compression_response() const;
+  /// See observe/pairing.hpp.
+  double pairing_fraction() const;
 
   Checkpoint checkpoint() const;
   /// Throws InputError when the checkpoint does not belong to these settings.
