@@ -51,12 +51,16 @@ void EquilibriumSampler::sample(double time, double energy, double T_kin, double
   T_kin_.push_back(T_kin), T_int_.push_back(T_int), P_.push_back(P);
 }
 
+std::vector<double> EquilibriumSampler::at_instants(double InstantMoments::*quantity) const {
+  std::vector<double> values;
+  for (auto const& instant : moments_)
+    values.push_back(instant.*quantity);
+  return values;
+}
+
 ParticleMoments EquilibriumSampler::estimate(double InstantMoments::*mean,
                                              double InstantMoments::*variance) const {
-  std::vector<double> means, variances;
-  for (auto const& instant : moments_)
-    means.push_back(instant.*mean), variances.push_back(instant.*variance);
-  return {cg::estimate_mean(means), cg::estimate_mean(variances)};
+  return {cg::estimate_mean(at_instants(mean)), cg::estimate_mean(at_instants(variance))};
 }
 
 /// From the mean of 1/T where the instants are harmonic means themselves.
@@ -84,6 +88,7 @@ Equilibrium EquilibriumSampler::result() const {
           observables_.energies ? estimate(&M::eps_mean, &M::eps_variance) : ParticleMoments(),
           observables_.densities ? estimate(&M::rho_mean, &M::rho_variance) : ParticleMoments(),
           observables_.densities ? estimate(&M::P_mean, &M::P_variance) : ParticleMoments(),
+          observables_.densities ? cg::estimate_mean(at_instants(&M::pairing)) : cg::Estimate(),
           energy_drift(times_, energies_)};
 }
 

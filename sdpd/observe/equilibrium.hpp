@@ -32,13 +32,16 @@ struct Observables {
 struct Equilibrium {
   cg::Estimate T_kin, T_int, P;
   ParticleMoments eps, rho, P_i;
+  cg::Estimate pairing; ///< see pairing.hpp; SDPD
   Drift drift;
 };
 
 /// Means and variances over the particles at one instant.
 struct InstantMoments {
   double eps_mean, eps_variance, rho_mean, rho_variance, P_mean, P_variance;
+  double pairing = 0; ///< see pairing.hpp
 };
+/// But for the pairing, which the lists of neighbours tell.
 InstantMoments moments(Snapshot const& now);
 
 /// Collects samples of a run at equilibrium. Scalars may be sampled often; moments of the particles now and
@@ -58,6 +61,10 @@ class EquilibriumSampler {
 
   std::span<double const> times() const { return times_; }
   std::span<double const> energies() const { return energies_; }
+  std::span<double const> T_kin() const { return T_kin_; }
+  std::span<double const> T_int() const { return T_int_; }
+  std::span<double const> P() const { return P_; }
+  std::vector<double> at_instants(double InstantMoments::*quantity) const;
 
  private:
   cg::Estimate internal_temperature() const;
