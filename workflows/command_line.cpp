@@ -3,6 +3,7 @@
 #include "workflows/help.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/processors.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/terminal.hpp"
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <omp.h>
 #include <spdlog/logger.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
@@ -201,10 +201,13 @@ void run(Words const& arguments, std::vector<Command> const& commands) {
   auto const action = declare(*command, app, options);
   if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, *command))
     return;
-  if (options.threads)
-    omp_set_num_threads(*options.threads);
   catch_interrupts();
   auto context = make_context(options, arguments);
+  if (int const available = available_processors(); options.threads.value_or(1) > available)
+    context.log->warn(
+        "--threads {}: this process may use {} processor(s) only, and more threads than that wait for "
+        "each other",
+        *options.threads, available);
   print(action(context), options.json);
 }
 

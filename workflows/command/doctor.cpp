@@ -3,10 +3,10 @@
 #include "md/metal_potential.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/process.hpp"
+#include "workflows/processors.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/version.hpp"
 #include <filesystem>
-#include <omp.h>
 #include <thread>
 
 namespace mesobridge::workflows {
@@ -69,8 +69,8 @@ std::vector<Finding> examine() {
       examine_program("mpirun", "--version", "openmpi-bin", "molecular dynamics on several cores"),
       examine_program("gnuplot", "--version", "gnuplot-nox", "the plots of the report"),
       {"HDF5", true, store_library_version(), ""},
-      {"OpenMP", true,
-       fmt::format("{} threads at once on {} cores", omp_get_num_procs(),
+      {"processors", true,
+       fmt::format("{} for this process, of {} in all", available_processors(),
                    std::thread::hardware_concurrency()),
        ""},
       examine_disk(),

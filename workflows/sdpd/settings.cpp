@@ -1,11 +1,11 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
 #include "sdpd/scheme/list.hpp"
+#include "workflows/processors.hpp"
 #include "workflows/sdpd/pair_fluid_of.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <numbers>
-#include <omp.h>
 
 namespace mesobridge::workflows {
 
@@ -100,7 +100,7 @@ std::int64_t instants_every(Scene::Run const& run) {
 }
 
 int available_threads() {
-  return omp_get_num_procs();
+  return available_processors();
 }
 
 OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
