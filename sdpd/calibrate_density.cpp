@@ -35,6 +35,11 @@ Target target_of(SimulationSettings const& s) {
       s.eos);
 }
 
+/// The particles' part of the pressure against their bulk modulus.
+double relative_pressure(Target const& target) {
+  return (target.P - target.motion) / target.bulk_modulus;
+}
+
 /// The lattice of the box that is run.
 std::array<std::uint32_t, 3> small_box(SimulationSettings const& s) {
   constexpr double widest_skin = 0.7;
@@ -157,12 +162,19 @@ class Calibration {
 
 void check_calibration(SimulationSettings const& settings, ScaleCondition condition) {
   auto const target = target_of(settings);
-  double const needed = target.P - target.motion;
-  require(condition != ScaleCondition::pressure || needed > least_pressure * target.bulk_modulus,
-          "pressure of the particles in units of rho (dP/drho)_T", needed / target.bulk_modulus,
+  require(condition != ScaleCondition::pressure || relative_pressure(target) > least_pressure,
+          "pressure of the particles in units of rho (dP/drho)_T", relative_pressure(target),
           fmt::format("must be > {} to calibrate the densities by the pressure; calibrate them by their "
                       "response to compression",
                       least_pressure));
+}
+
+std::optional<ScaleCondition> suitable_condition(SimulationSettings const& settings) {
+  auto const target = target_of(settings);
+  double const pressure = relative_pressure(target);
+  if (!(target.bulk_modulus > 0) || pressure < -least_pressure)
+    return std::nullopt;
+  return pressure > least_pressure ? ScaleCondition::pressure : ScaleCondition::response;
 }
 
 double calibrated_particles(SimulationSettings const& s) {

@@ -28,6 +28,11 @@ void check_calibration(SimulationSettings const& settings, ScaleCondition condit
 /// How many particles a calibration runs.
 double calibrated_particles(SimulationSettings const& settings);
 
+/// The condition for that fluid: the pressure where it is large enough against the fluid's stiffness to fix
+/// the scale, else the response; none where the fluid is under tension, which tears its particles' order
+/// apart.
+std::optional<ScaleCondition> suitable_condition(SimulationSettings const& settings);
+
 /// Finds the constants c and epsilon of DensityCorrection with which the fluid of `settings` at its size K
 /// has the mean density rho and the pressure of its equation of state (or the response): stages of growing
 /// length, each at equilibrium at the set temperature, after which both conditions are solved with the

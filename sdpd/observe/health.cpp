@@ -12,7 +12,6 @@ constexpr double enough_errors = 5; ///< standard errors that chance does not re
 constexpr double much = 0.03;       ///< of the set temperature or the pressure
 constexpr double too_much = 0.1;    ///< of them: another state than the scene's
 constexpr double much_density = 0.01;
-constexpr double much_pairing = 0.01;
 
 /// One run while its findings are gathered.
 class Examination {
@@ -103,7 +102,7 @@ class Examination {
     double const in_the_end =
         std::accumulate(series.begin() + static_cast<std::ptrdiff_t>(last), series.end(), 0.0) /
         static_cast<double>(series.size() - last);
-    if (std::max(means_.pairing.mean, in_the_end) > much_pairing)
+    if (std::max(means_.pairing.mean, in_the_end) > conditions_.tolerable_pairing)
       add("pairing", false,
           fmt::format(
               "{:.3g} % of the particles had a neighbour nearer than {} mean distances, {:.3g} % in the last "

@@ -15,8 +15,9 @@ struct HealthConditions {
   bool has_motion = true;   ///< thermal motion, and with it a kinetic temperature
   bool keeps_energy = true; ///< false: a thermostat gives and takes energy
   bool was_equilibrated = true;
-  double thermal_energy = 0;   ///< heat capacity of all particles times the set temperature
-  double thermal_pressure = 0; ///< of an ideal gas of the fluid's molecules
+  double thermal_energy = 0;       ///< heat capacity of all particles times the set temperature
+  double thermal_pressure = 0;     ///< of an ideal gas of the fluid's molecules
+  double tolerable_pairing = 0.01; ///< see pairing.hpp
 };
 
 /// How far a straight line through a series rises from its first sample to its last.

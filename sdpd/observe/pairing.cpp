@@ -23,4 +23,8 @@ double pairing_fraction(System const& system) {
   return static_cast<double>(std::ranges::count(is_paired, 1)) / count;
 }
 
+double tolerable_pairing(double K) {
+  return 0.01 + 0.5 / K;
+}
+
 } // namespace mesobridge::sdpd

@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas";
+  std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas", kernel = Scene().particles.kernel;
   double neighbours = 62;
   std::uint32_t side = 22, fluctuate_every = 1;
   double K = 100, kappa = 0;
@@ -26,6 +26,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads) {
           .K = options.K,
           .lattice = {options.side, options.side, options.side},
           .disorder = 0.15,
+          .kernel = options.kernel,
           .eta = 2e-3,
           .kappa = options.kappa,
           .dt = ideal ? 0.1 : 0.05,
@@ -83,6 +84,7 @@ Result run(Options const& options, Context& context) {
                  {"scheme", options.scheme},
                  {"fluctuate_every", options.fluctuate_every},
                  {"eos", options.method == "sdpd" ? options.eos : "none"},
+                 {"kernel", options.method == "sdpd" ? options.kernel : "none"},
                  {options.method == "sdpd" ? "kappa_W_m_K" : "kappa_reduced", options.kappa},
                  {"n", simulation.size()},
                  {"K", options.K},
@@ -120,6 +122,9 @@ Command bench_engine_command() {
                 ->capture_default_str();
             app.add_option("--eos", options->eos, "equation of state")
                 ->check(CLI::IsMember({"ideal-gas", "argon"}))
+                ->capture_default_str();
+            app.add_option("--kernel", options->kernel, "smoothing kernel of sdpd")
+                ->check(CLI::IsMember(sdpd::kernel_names()))
                 ->capture_default_str();
             app.add_option(
                    "--kappa", options->kappa,

@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/sdpd/run_checks.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
@@ -28,6 +29,15 @@ std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, int th
   return text;
 }
 
+/// The time step in the engine's unit and in the scene's.
+void put_time_step(Result& result, sdpd::SimulationSettings const& settings, UnitSystem system) {
+  OutputUnits const units(settings.units(), system);
+  result.json["dt_reduced"] = settings.dt;
+  result.json["dt" + units.time_key] = settings.dt * units.time;
+  result.text += fmt::format("\n# dt = {:.6g} reduced (a plain number in the scene) = \"{:.6g} {}\"",
+                             settings.dt, settings.dt * units.time, system == UnitSystem::lj ? "tau" : "s");
+}
+
 Result check(Options const& options, Context const& context) {
   if (options.keys)
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
@@ -36,25 +46,31 @@ Result check(Options const& options, Context const& context) {
   Scene const scene = load_run(options.scene, options.overrides, threads);
   auto const cost = estimate_cost(scene, threads);
   auto const disk = estimate_disk(scene);
-  auto const lacking = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
-  for (auto const& what : lacking)
+  auto const settings = settings_of(scene, threads);
+  auto warnings = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
+  for (auto const& doubt : doubts_about(settings))
+    warnings.push_back(doubt.text);
+  for (auto const& what : warnings)
     context.log->warn("warning: {}", what);
   auto const resolved = resolved_toml(scene);
-  return {.json = {{"scene", options.scene},
-                   {"valid", true},
-                   {"warnings", lacking},
-                   {"resolved", resolved},
-                   {"estimated_neighbours", cost.neighbours},
-                   {"estimated_time_s", cost.seconds},
-                   {"estimated_time_step_study_s", cost.study_seconds},
-                   {"estimated_calibration_s", cost.calibration_seconds},
-                   {"estimated_memory_bytes", cost.bytes},
-                   {"estimated_disk_bytes", disk.total()},
-                   {"estimated_disk_results_bytes", disk.results},
-                   {"estimated_disk_trajectories_bytes", disk.trajectories},
-                   {"estimated_disk_checkpoint_bytes", disk.checkpoint}},
-          .text = resolved + cost_text(cost, disk, threads),
-          .complaint = ""};
+  Result result{.json = {{"scene", options.scene},
+                         {"valid", true},
+                         {"warnings", warnings},
+                         {"resolved", resolved},
+                         {"estimated_neighbours", cost.neighbours},
+                         {"estimated_time_s", cost.seconds},
+                         {"estimated_time_step_study_s", cost.study_seconds},
+                         {"estimated_calibration_s", cost.calibration_seconds},
+                         {"estimated_memory_bytes", cost.bytes},
+                         {"estimated_disk_bytes", disk.total()},
+                         {"estimated_disk_results_bytes", disk.results},
+                         {"estimated_disk_trajectories_bytes", disk.trajectories},
+                         {"estimated_disk_checkpoint_bytes", disk.checkpoint}},
+                .text = resolved + cost_text(cost, disk, threads),
+                .complaint = ""};
+  if (!scene.scheme.dt.automatic)
+    put_time_step(result, settings, scene.units);
+  return result;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
 #include "workflows/sdpd/run_checks.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/sdpd/run_text.hpp"
 #include "workflows/sdpd/shortage.hpp"
@@ -80,6 +81,12 @@ Result run(Options const& options, Context& context) {
   result.json["us_per_particle_step"] = done.us_per_particle_step;
   result.json["report"] = (directory / "report.html").string();
   result.text = run_text(done) + (directory / "report.html").string();
+  for (auto const& finding : done.findings)
+    if (!finding.spoils)
+      context.log->warn("warning: {}", finding.text);
+  if (auto const failure = failure_of(done.findings); !failure.empty())
+    throw PhysicsError(
+        fmt::format("the files of the run are written into '{}', but {}", directory.string(), failure));
   return result;
 }
 

@@ -27,6 +27,7 @@ Scene thesis_ideal_gas(double K, std::string const& scheme, std::uint64_t seed) 
   scene.title = "Ideal gas";
   scene.fluid = {.eos = "ideal-gas", .rho = 1150, .T = 1000, .m0 = 1e-25};
   scene.particles.K = K;
+  scene.particles.kernel = "cubic", scene.particles.density = "plain"; // the thesis's
   scene.transport.eta = 2e-3;
   scene.scheme.name = scheme;
   scene.run.seed = static_cast<std::int64_t>(seed);

@@ -16,6 +16,7 @@ Scene fluid(std::string const& eos, double rho, double T, double K, double eta, 
   if (eos == "ideal-gas")
     scene.fluid.m0 = 1e-25;
   scene.particles.K = K;
+  scene.particles.kernel = "cubic", scene.particles.density = "plain"; // the thesis's
   scene.transport.eta = eta;
   scene.scheme.name = scheme;
   return scene;

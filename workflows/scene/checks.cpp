@@ -51,20 +51,27 @@ void check_fluid(Scene const& scene, Places const& places) {
                    "must be > 1 for the ideal gas: its heat capacity is 3/2 (K - 1) k_B");
 }
 
+constexpr std::int64_t least_calibration = 200;
+
 void check_density(Scene const& scene, Places const& places) {
   auto const& [density, scale, self] =
       std::tie(scene.particles.density, scene.particles.density_scale, scene.particles.density_self);
-  bool const takes_constants = density == "given" || density.starts_with("calibrated");
+  bool const takes_constants = density == "given" || density == "auto" || density.starts_with("calibrated");
   for (auto const& [key, value] :
        {std::pair("particles.density_scale", scale), {"particles.density_self", self}})
     if (value)
       require_together(
           takes_constants, places, key, *value,
-          fmt::format("allowed with density = \"given\" or \"calibrated\"; here it is \"{}\"", density));
+          fmt::format("allowed with density = \"given\", \"calibrated\" or \"auto\"; here it is \"{}\"",
+                      density));
   require_together(scale.has_value() == self.has_value() && (scale || density != "given"), places,
                    "particles.density", density,
                    "needs both density_scale and density_self" +
                        std::string(density == "given" ? "" : ", or neither"));
+  auto const steps = scene.particles.calibration_steps;
+  require_together(
+      steps == 0 || steps >= least_calibration, places, "particles.calibration_steps", steps,
+      fmt::format("must be >= {}, or 0 for a number that goes with the run's", least_calibration));
   if (scale)
     require_together(std::abs(*self) < *scale, places, "particles.density_self", *self,
                      fmt::format("must lie between -c and c, c = density_scale = {}", *scale));

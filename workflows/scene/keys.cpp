@@ -59,9 +59,10 @@ std::string SceneKey::allowed(UnitSystem units) const {
   auto text = type_name(*this);
   if (auto const limits = range.text(); !limits.empty())
     text += " " + limits;
-  if (!dimension || units == UnitSystem::lj)
+  if (!dimension || (units == UnitSystem::lj && !time_step))
     return text;
-  auto const with_unit = fmt::format("text with a unit ({})", allowed_units(*dimension));
+  auto const with_unit = fmt::format("text with a unit ({})",
+                                     units == UnitSystem::lj ? "\"0.05 tau\"" : allowed_units(*dimension));
   return time_step ? text + ", or such a number as " + with_unit + ", or \"auto\""
                    : text + " as " + with_unit;
 }

@@ -7,6 +7,7 @@
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -159,7 +160,20 @@ struct SlotReader {
       *slot = {.automatic = true};
       return;
     }
-    *slot = node.is_number() ? TimeStep{number(), true} : TimeStep{quantity(), false};
+    *slot = node.is_number()          ? TimeStep{number(), true}
+            : units == UnitSystem::SI ? TimeStep{quantity(), false}
+                                      : TimeStep{lj_time(), false};
+  }
+
+  /// "0.05 tau"
+  double lj_time() const {
+    auto const written = text();
+    double value = 0;
+    auto const [end, error] = std::from_chars(written.data(), written.data() + written.size(), value);
+    std::string_view const rest(end, written.data() + written.size());
+    if (error != std::errc() || !key.range.contains(value) || (rest != " tau" && rest != "tau"))
+      refuse();
+    return value;
   }
 };
 

@@ -40,7 +40,9 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     Text operator()(TimeStep const* dt) const {
       if (dt->automatic)
         return "\"auto\"";
-      return dt->reduced ? fmt::format("{}", dt->value) : number(dt->value);
+      if (dt->reduced)
+        return fmt::format("{}", dt->value);
+      return si ? number(dt->value) : fmt::format("\"{} tau\"", dt->value);
     }
     Text operator()(UnitSystem const* units) const { return *units == UnitSystem::SI ? "\"SI\"" : "\"lj\""; }
   };

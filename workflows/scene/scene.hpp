@@ -9,8 +9,8 @@ namespace mesobridge::workflows {
 
 enum class UnitSystem { SI, lj };
 
-/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in seconds, or one that is
-/// still to be found.
+/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in that of the scene's units,
+/// seconds or Lennard-Jones times, or one that is still to be found.
 struct TimeStep {
   double value = 0;
   bool reduced = true;
@@ -39,13 +39,13 @@ struct Scene {
   struct Particles {
     std::int64_t N = 0;
     double K = 0;
-    std::string kernel = "cubic";
+    std::string kernel = "wendland-c4"; ///< does not let particles pair; costs what the cubic one does
     double h_factor = 2.5;
     double disorder = 0.15;
     std::optional<double> mass; ///< dpd, dpde
-    std::string density = "plain";
+    std::string density = "auto";
     std::optional<double> density_scale, density_self;
-    std::int64_t calibration_steps = 3000;
+    std::int64_t calibration_steps = 0; ///< 0: by the length of the run
     bool operator==(Particles const&) const = default;
   } particles;
   struct Transport {

@@ -32,7 +32,7 @@ double work_of_study(Scene const& scene) {
 
 double work_of_calibration(Scene const& scene, sdpd::SimulationSettings const& settings) {
   return wants_calibration(scene)
-             ? static_cast<double>(scene.particles.calibration_steps) * sdpd::calibrated_particles(settings)
+             ? static_cast<double>(calibration_steps(scene)) * sdpd::calibrated_particles(settings)
              : 0;
 }
 

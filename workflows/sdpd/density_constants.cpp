@@ -1,20 +1,51 @@
 #include "workflows/sdpd/density_constants.hpp"
+#include "md/error.hpp"
 #include "workflows/summary.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 
+namespace {
+
+/// What the scene says or, if it leaves that open, what suits its fluid; none where there is nothing to
+/// calibrate: without noise particles come to rest somewhere, and those that do not move have no equilibrium,
+/// whose mean density and pressure could be set right.
+std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
+  auto const& density = scene.particles.density;
+  if (density.starts_with("calibrated"))
+    return density == "calibrated" ? sdpd::ScaleCondition::pressure : sdpd::ScaleCondition::response;
+  if (density != "auto" || scene.scheme.noise == "off" || scene.scheme.conservative == "none")
+    return std::nullopt;
+  return sdpd::suitable_condition(settings_of(scene, 1));
+}
+
+} // namespace
+
 bool wants_calibration(Scene const& scene) {
-  return scene.particles.density.starts_with("calibrated") && !scene.particles.density_scale;
+  return scene.is_sdpd() && !scene.particles.density_scale && condition_of(scene);
+}
+
+std::int64_t calibration_steps(Scene const& scene) {
+  if (scene.particles.calibration_steps > 0)
+    return scene.particles.calibration_steps;
+  return std::clamp<std::int64_t>((scene.run.equilibrate + scene.run.steps) / 4, 200, 6000);
 }
 
 sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
-  return scene.particles.density == "calibrated" ? sdpd::ScaleCondition::pressure
-                                                 : sdpd::ScaleCondition::response;
+  return condition_of(scene).value();
 }
 
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {
-  return sdpd::calibrate_density(settings_of(scene, threads), scale_condition_of(scene),
-                                 static_cast<std::uint64_t>(scene.particles.calibration_steps), keep_going);
+  auto const settings = settings_of(scene, threads);
+  try {
+    return sdpd::calibrate_density(settings, scale_condition_of(scene),
+                                   static_cast<std::uint64_t>(calibration_steps(scene)), keep_going);
+  } catch (PhysicsError const& error) {
+    throw PhysicsError(
+        fmt::format("while the densities were calibrated (particles.density = \"{}\"; \"plain\" "
+                    "leaves them as they are): {}",
+                    scene.particles.density, error.what()));
+  }
 }
 
 Json calibration_json(sdpd::DensityCalibration const& c, OutputUnits const& units) {

@@ -7,8 +7,12 @@ namespace mesobridge::workflows {
 /// Whether the constants of the densities are still to be found.
 bool wants_calibration(Scene const& scene);
 
-/// What fixes the scale in a calibration of this scene.
+/// What fixes the scale in the calibration that this scene wants.
 sdpd::ScaleCondition scale_condition_of(Scene const& scene);
+
+/// Steps that finding them takes: what the scene says or, if it leaves that open, a quarter of the run's, 200
+/// ... 6000.
+std::int64_t calibration_steps(Scene const& scene);
 
 /// Finds them on the scene's own fluid. Throws as calibrate_density.
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going);

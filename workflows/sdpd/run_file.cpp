@@ -15,7 +15,8 @@ std::int64_t last_step(Store const& store, std::string const& dataset, std::size
 std::vector<std::string> moment_names(sdpd::Observables const& observables) {
   if (!observables.densities)
     return {"step", "eps_mean", "eps_variance"};
-  return {"step", "eps_mean", "eps_variance", "rho_mean", "rho_variance", "P_mean", "P_variance"};
+  return {"step", "eps_mean", "eps_variance", "rho_mean",
+          "rho_variance", "P_mean", "P_variance", "pairing_fraction"};
 }
 
 } // namespace
@@ -93,7 +94,8 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
                           m.rho_mean,
                           m.rho_variance,
                           m.P_mean,
-                          m.P_variance};
+                          m.P_variance,
+                          m.pairing};
   row.resize(names.size());
   std::size_t const count = std::min(now.eps.size(), stored_particles);
   auto scaled = [count](std::vector<double> const& values, double unit) {
@@ -153,8 +155,8 @@ sdpd::EquilibriumSampler RunFile::replay() const {
   for (std::size_t r = 0; r < instants.size(); r += width) {
     std::vector<double> row(instants.begin() + static_cast<std::ptrdiff_t>(r),
                             instants.begin() + static_cast<std::ptrdiff_t>(r + width));
-    row.resize(7);
-    sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6]});
+    row.resize(8);
+    sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6], row[7]});
   }
   return sampler;
 }

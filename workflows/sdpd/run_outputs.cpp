@@ -55,8 +55,11 @@ void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simu
   auto const now =
       profile && profiles_->shows("P") ? simulation.snapshot_with_virials() : simulation.snapshot();
   auto const step = simulation.step();
-  if (instant)
-    run_file_.append(now, sdpd::moments(now), step);
+  if (instant) {
+    auto moments = sdpd::moments(now);
+    moments.pairing = simulation.pairing_fraction();
+    run_file_.append(now, moments, step);
+  }
   if (profile)
     profiles_->append(now, simulation.box(), step, time);
   if (histogram)

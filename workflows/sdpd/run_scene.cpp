@@ -4,6 +4,7 @@
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_log.hpp"
 #include "workflows/sdpd/run_outputs.hpp"
 #include "workflows/sdpd/run_summary.hpp"
@@ -166,7 +167,9 @@ class Run {
                      .eps = file.particle_values("eps"),
                      .rho = file.particle_values("rho"),
                      .P = file.particle_values("P"),
+                     .findings = {},
                      .summary = {}};
+    result.findings = findings_of(sampler, result, simulation_);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
     write_summary(folder_.summary(), result.summary);
     outputs_->close();

@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/observe/equilibrium.hpp"
+#include "sdpd/observe/health.hpp"
 #include "workflows/command.hpp"
 #include "workflows/sdpd/settings.hpp"
 
@@ -24,6 +24,7 @@ struct RunResult {
   double us_per_particle_step = 0;     ///< of the sampled part, with its observations and files
   std::vector<double> times, energies; ///< reduced
   std::vector<double> eps, rho, P;     ///< of single particles at the sampled instants, in the scene's units
+  std::vector<sdpd::Finding> findings; ///< what its samples say against the run
   Json summary;                        ///< what stands in summary.json
 };
 

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include "workflows/summary.hpp"
 
 namespace mesobridge::workflows {
@@ -43,6 +44,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put(json, "rho" + units.density_key, in(e.rho.mean, units.density));
     put(json, "rho_variance", in(e.rho.variance, units.density * units.density));
     put(json, "P_internal" + units.pressure_key, in(e.P_i.mean, units.pressure));
+    put(json, "pairing_fraction", e.pairing);
   }
   if (observables.energies) {
     put(json, "e" + units.specific_energy_key, in(e.eps.mean, units.specific_energy));
@@ -59,6 +61,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());
   auto const p = simulation.observe().momentum;
   json["momentum" + units.momentum_key] = norm(p) * units.momentum;
+  json["findings"] = findings_json(result.findings);
   return json;
 }
 

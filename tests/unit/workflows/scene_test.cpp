@@ -1,6 +1,8 @@
 #include "md/error.hpp"
 #include "scene_error.hpp"
 #include "workflows/scene/scene.hpp"
+#include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include <filesystem>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -37,7 +39,8 @@ TEST(Scene, ReadsEveryValueInSI) {
   EXPECT_EQ(scene.fluid.T, 1000);
   EXPECT_FALSE(scene.fluid.m0);
   EXPECT_EQ(scene.particles.K, 100);
-  EXPECT_EQ(scene.particles.kernel, "cubic");
+  EXPECT_EQ(scene.particles.kernel, "wendland-c4");
+  EXPECT_EQ(scene.particles.density, "auto");
   EXPECT_EQ(scene.transport.eta, 2e-3);
   EXPECT_FALSE(scene.scheme.dt.reduced);
   EXPECT_DOUBLE_EQ(scene.scheme.dt.value, 1.5e-15);
@@ -63,6 +66,73 @@ TEST(Scene, ReducedUnitsTakePlainNumbers) {
   EXPECT_EQ(scene.fluid.rho, 0.68);
   EXPECT_EQ(scene.fluid.T, 8);
   EXPECT_NE(error_of(replaced(text, "rho = 0.68", "rho = \"0.68 kg/m^3\"")).find("bad.toml:5: fluid.rho"),
+            std::string::npos);
+}
+
+std::string lj_scene(std::string const& dt) {
+  auto text = replaced(good, "\"SI\"", "\"lj\"");
+  text = replaced(replaced(text, "\"argon\"", "\"lj\""), "\"1150 kg/m^3\"", "0.68");
+  text = replaced(replaced(text, "\"1000 K\"", "8"), "\"2 mPa*s\"", "1.5");
+  return replaced(text, "\"1.5 fs\"", dt);
+}
+
+TEST(Scene, TakesATimeStepInLennardJonesTimes) {
+  int cases = 0;
+  for (auto const& [text, dt] : {std::pair("\"0.05 tau\"", TimeStep{0.05, false}),
+                                 {"\"2e-3tau\"", TimeStep{2e-3, false}},
+                                 {"0.05", TimeStep{0.05, true}}}) {
+    auto const scene = parse_scene(lj_scene(text), "lj.toml");
+    EXPECT_EQ(scene.scheme.dt, dt) << text;
+    EXPECT_EQ(parse_scene(resolved_toml(scene), "resolved.toml"), scene) << text;
+    ++cases;
+  }
+  EXPECT_EQ(cases, 3);
+  // sigma (m/epsilon)^(1/2) is one; the engine's unit is (m/rho)^(1/3) (m_0/k_B T)^(1/2), m = 100, m_0 = 1.
+  auto const settings = settings_of(parse_scene(lj_scene("\"0.05 tau\""), "lj.toml"), 1);
+  EXPECT_NEAR(settings.dt, 0.05 / (std::cbrt(100 / 0.68) * std::sqrt(1 / 8.0)), 1e-15);
+  for (auto const* text :
+       {"\"0.05 fs\"", "\"0.05\"", "\"-1 tau\"", "\"nan tau\"", "\"tau\"", "\"0.05 taus\""})
+    for (auto const* part : {"bad.toml:13: scheme.dt", "0.05 tau", "auto"})
+      EXPECT_NE(error_of(lj_scene(text)).find(part), std::string::npos) << text << error_of(lj_scene(text));
+  EXPECT_NE(error_of(replaced(good, "1.5 fs", "1.5 tau")).find("wrong unit 'tau'"), std::string::npos);
+}
+
+TEST(Scene, CalibratesItsDensitiesUnlessThatMakesNoSense) {
+  struct Case {
+    std::vector<std::string> overrides;
+    bool calibrates;
+  };
+  std::vector<Case> const cases{
+      {{}, true},
+      {{"particles.density=plain"}, false},
+      {{"particles.density=glass"}, false},
+      {{"particles.density_scale=1.02", "particles.density_self=0.2"}, false}, // found before
+      {{"particles.density=calibrated"}, true},
+      {{"scheme.noise=off"}, false},
+      {{"scheme.noise=off", "particles.density=calibrated"}, true},
+      {{"scheme.conservative=none"}, false},
+      {{"fluid.rho=1400 kg/m^3", "fluid.T=87 K"}, true},                     // by the response
+      {{"fluid.eos=water", "fluid.rho=900 kg/m^3", "fluid.T=300 K"}, false}, // under tension
+  };
+  for (auto const& [overrides, calibrates] : cases)
+    EXPECT_EQ(wants_calibration(parse_scene(good, "good.toml", overrides)), calibrates) << overrides.size();
+  EXPECT_EQ(cases.size(), 10u);
+}
+
+TEST(Scene, CalibratesForAQuarterOfTheRun) {
+  int cases = 0;
+  for (auto const& [steps, equilibrate, expected] :
+       {std::tuple(100, 0, 200), {4000, 2000, 1500}, {1000000, 0, 6000}}) {
+    auto const scene =
+        parse_scene(good, "good.toml",
+                    {fmt::format("run.steps={}", steps), fmt::format("run.equilibrate={}", equilibrate)});
+    EXPECT_EQ(calibration_steps(scene), expected);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 3);
+  EXPECT_EQ(calibration_steps(parse_scene(good, "good.toml", {"particles.calibration_steps=777"})), 777);
+  EXPECT_NE(error_of(replaced(good, "K = 100", "K = 100\ncalibration_steps = 7"))
+                .find("bad.toml:10: particles.calibration_steps"),
             std::string::npos);
 }
 
@@ -172,7 +242,8 @@ TEST(Scene, TheShippedScenesAreValid) {
 
 TEST(Scene, TheKeysExplainThemselves) {
   auto const text = scene_keys_text();
-  for (auto const* part : {"[fluid]", "*rho", "kg/m^3, g/cm^3", "default \"cubic\"", "less than 5 eta / 3"})
+  for (auto const* part : {"[fluid]", "*rho", "kg/m^3, g/cm^3", "default \"wendland-c4\"", "default \"auto\"",
+                           "less than 5 eta / 3"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 

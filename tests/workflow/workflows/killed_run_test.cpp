@@ -28,9 +28,10 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
                                   "--quiet",
                                   "--threads",
                                   "1"};
-  for (char const* set : {"particles.N=343", "run.equilibrate=64", "run.steps=2500", "run.sample_every=5",
-                          "run.trajectory_every=20", "run.vtkhdf_every=20", "run.xyz_every=100",
-                          "profile.every=20", "histogram.every=50", "run.checkpoint_every=100"})
+  for (char const* set :
+       {"particles.N=343", "particles.density=plain", "run.equilibrate=64", "run.steps=2500",
+        "run.sample_every=5", "run.trajectory_every=20", "run.vtkhdf_every=20", "run.xyz_every=100",
+        "profile.every=20", "histogram.every=50", "run.checkpoint_every=100"})
     result.insert(result.end(), {"--set", set});
   if (resume)
     result.push_back("--resume");

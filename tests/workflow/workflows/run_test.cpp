@@ -24,9 +24,9 @@ std::vector<std::string> run_words(std::filesystem::path const& directory,
       MESOBRIDGE_PROGRAM, "run",    MESOBRIDGE_SOURCE_DIR "/workflows/scenes/argon-1000K.toml", "-o",
       directory.string(), "--quiet"};
   for (char const* set :
-       {"particles.K=20", "run.equilibrate=64", "run.steps=400", "run.sample_every=5",
-        "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200", "run.instant_every=25",
-        "run.checkpoint_every=150", "profile.every=80", "histogram.every=100"})
+       {"particles.K=20", "particles.density=plain", "run.equilibrate=64", "run.steps=400",
+        "run.sample_every=5", "run.trajectory_every=100", "run.vtkhdf_every=80", "run.xyz_every=200",
+        "run.instant_every=25", "run.checkpoint_every=150", "profile.every=80", "histogram.every=100"})
     words.insert(words.end(), {"--set", set});
   words.insert(words.end(), more.begin(), more.end());
   return words;

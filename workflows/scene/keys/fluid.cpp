@@ -30,7 +30,10 @@ std::vector<SceneKey> fluid_keys() {
           .required()
           .of(sdpd_only),
       Line(
-          "fluid", "rho", [](Scene& s) { return &s.fluid.rho; }, "mean density")
+          "fluid", "rho", [](Scene& s) { return &s.fluid.rho; },
+          "mean density, mass per volume. N particles of mass m fill the volume N m/rho: with units = "
+          "\"lj\", "
+          "dpd and dpde, rho is the number density times particles.mass")
           .required()
           .quantity(Dimension::density, positive),
       Line(

@@ -16,7 +16,9 @@ std::vector<SceneKey> particle_keys() {
           .in(at_least_one)
           .of(sdpd_only),
       Line(
-          "particles", "kernel", [](Scene& s) { return &s.particles.kernel; }, "smoothing kernel")
+          "particles", "kernel", [](Scene& s) { return &s.particles.kernel; },
+          "smoothing kernel. Wendland's do not let particles pair; the cubic and Lucy's do, from about 60 "
+          "neighbours on, and pressure and density drift with the pairs")
           .choices(sdpd::kernel_names())
           .of(sdpd_only),
       Line(
@@ -37,23 +39,27 @@ std::vector<SceneKey> particle_keys() {
           "mean density and pressure are those of the equation of state (calibrated-response: so that its "
           "mean "
           "density is, and follows a compression; for fluids almost without pressure), and written into the "
-          "next two keys. It is not repeated when they are there")
-          .choices({"plain", "glass", "given", "calibrated", "calibrated-response"})
+          "next "
+          "two keys. It is not repeated when they are there. auto: calibrated, by the response where the "
+          "pressure "
+          "is too small; plain where there is no noise, nothing moves or the fluid is under tension")
+          .choices({"auto", "plain", "glass", "given", "calibrated", "calibrated-response"})
           .of(sdpd_only),
       Line(
           "particles", "density_scale", [](Scene& s) { return &s.particles.density_scale; },
-          "c; with density = given or calibrated")
+          "c; with density = given, calibrated or auto")
           .in({.min = 0, .open = true, .max = 10})
           .of(sdpd_only),
       Line(
           "particles", "density_self", [](Scene& s) { return &s.particles.density_self; },
-          "eps, between -c and c; with density = given or calibrated")
+          "eps, between -c and c; with density = given, calibrated or auto")
           .in({.min = -10, .max = 10})
           .of(sdpd_only),
       Line(
           "particles", "calibration_steps", [](Scene& s) { return &s.particles.calibration_steps; },
-          "steps of a calibration, of at most about 1000 particles")
-          .in({.min = 200, .max = 1e9})
+          "steps of a calibration, of at most about 1000 particles, from 200 on; 0: a quarter of the run's, "
+          "from 200 to 6000")
+          .in({.min = 0, .max = 1e9})
           .of(sdpd_only),
       Line(
           "particles", "mass", [](Scene& s) { return &s.particles.mass; }, "mass of one particle")

@@ -31,9 +31,15 @@ std::vector<SceneKey> scheme_keys() {
           .choices(sdpd::pair_scheme_names()),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
-          "time step: a plain number is in the reduced time unit of size K (theory, Eq. (2.20)); \"auto\": "
-          "found "
-          "by a short study for the wanted drift or bias")
+          "time step. A plain number is in the reduced unit of time: for sdpd (m/rho)^(1/3) (m_0/k_B "
+          "T)^(1/2) "
+          "with the particle's mass m (theory, Eq. (2.20)), for dpd and dpde the cut-off of the friction "
+          "times "
+          "(mass/k_B T)^(1/2). A text is in seconds (\"2 fs\") or, in scenes in Lennard-Jones units, in "
+          "their "
+          "unit of time, sigma (m/epsilon)^(1/2) (\"0.05 tau\"). `check` prints it in both. \"auto\": found "
+          "by a "
+          "short study for the wanted drift or bias")
           .required()
           .quantity(Dimension::time, positive),
       Line(
@@ -65,7 +71,8 @@ std::vector<SceneKey> scheme_keys() {
           .choices({"free", "kept"}),
       Line(
           "scheme", "noise", [](Scene& s) { return &s.scheme.noise; },
-          "on, or off: viscous smoothed particle hydrodynamics, which starts at rest")
+          "on, or off: viscous smoothed particle hydrodynamics, which starts at rest and whose densities are "
+          "plain unless the scene says otherwise")
           .choices({"on", "off"})
           .of(sdpd_only),
   };

@@ -1,0 +1,65 @@
+#include "workflows/sdpd/run_health.hpp"
+#include "sdpd/observe/pairing.hpp"
+#include <fmt/ranges.h>
+#include <numbers>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// Fewer neighbours than this, and most of the time a particle is alone.
+constexpr double least_neighbours = 1;
+
+double neighbours_in_range(sdpd::SimulationSettings const& settings) {
+  return 4 * std::numbers::pi / 3 * std::pow(settings.range() / settings.spacing(), 3);
+}
+
+} // namespace
+
+std::vector<sdpd::Finding> doubts_about(sdpd::SimulationSettings const& settings) {
+  if (!settings.pair_fluid)
+    return {};
+  double const neighbours = neighbours_in_range(settings);
+  if (neighbours >= least_neighbours)
+    return {};
+  return {{"neighbours", false,
+           fmt::format(
+               "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
+               "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
+               neighbours, settings.rho)}};
+}
+
+std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, RunResult const& result,
+                                       sdpd::Simulation const& simulation) {
+  auto const& settings = result.settings;
+  bool const keeps_energy = !simulation.has_thermostat();
+  auto findings = doubts_about(settings);
+  auto const found =
+      sdpd::examine(samples, result.equilibrium,
+                    {.has_motion = settings.noise,
+                     .keeps_energy = keeps_energy,
+                     .was_equilibrated = result.scene.run.equilibrate > 0,
+                     .thermal_energy = keeps_energy ? simulation.heat_capacity() / settings.K : 0,
+                     .thermal_pressure = std::pow(settings.spacing(), -3),
+                     .tolerable_pairing = sdpd::tolerable_pairing(settings.K)});
+  findings.insert(findings.end(), found.begin(), found.end());
+  return findings;
+}
+
+Json findings_json(std::vector<sdpd::Finding> const& findings) {
+  Json list = Json::array();
+  for (auto const& [name, spoils, text] : findings)
+    list.push_back({{"name", name}, {"severity", spoils ? "failure" : "warning"}, {"text", text}});
+  return list;
+}
+
+std::string failure_of(std::vector<sdpd::Finding> const& findings) {
+  std::vector<std::string> texts;
+  for (auto const& finding : findings)
+    if (finding.spoils)
+      texts.push_back(finding.text);
+  if (texts.empty())
+    return "";
+  return fmt::format("its state is not the scene's: {}", fmt::join(texts, "; "));
+}
+
+} // namespace mesobridge::workflows
