@@ -126,8 +126,7 @@ void Neighbours::renew(Particles& particles) {
 void Neighbours::sort(Particles& particles) {
   auto& [cell, next, order] = sorting_;
   cell.resize(particles.size()), order.resize(particles.size());
-  for_each_index(particles.size(), threads_,
-                 [&](std::size_t i) { cell[i] = grid_.cell_of(particles.q[i]); });
+  for_each_index(particles.size(), threads_, [&](std::size_t i) { cell[i] = grid_.cell_of(particles.q[i]); });
   cell_begin_.assign(grid_.cell_count() + 1, 0);
   for (Index const c : cell)
     ++cell_begin_[c + 1];

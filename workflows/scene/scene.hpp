@@ -9,8 +9,8 @@ namespace mesobridge::workflows {
 
 enum class UnitSystem { SI, lj };
 
-/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in that of the scene's units,
-/// seconds or Lennard-Jones times, or one that is still to be found.
+/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in that of the scene's
+/// units, seconds or Lennard-Jones times, or one that is still to be found.
 struct TimeStep {
   double value = 0;
   bool reduced = true;

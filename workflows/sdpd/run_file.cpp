@@ -15,8 +15,8 @@ std::int64_t last_step(Store const& store, std::string const& dataset, std::size
 std::vector<std::string> moment_names(sdpd::Observables const& observables) {
   if (!observables.densities)
     return {"step", "eps_mean", "eps_variance"};
-  return {"step", "eps_mean", "eps_variance", "rho_mean",
-          "rho_variance", "P_mean", "P_variance", "pairing_fraction"};
+  return {"step",         "eps_mean", "eps_variance", "rho_mean",
+          "rho_variance", "P_mean",   "P_variance",   "pairing_fraction"};
 }
 
 } // namespace
