@@ -9,9 +9,13 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// One thread and the signal that it waits for; a cache line of its own.
+/// The door between a worker and the task: the team's thread opens it and closes it again, and waits only
+/// when it finds the worker inside.
+enum Door : std::uint32_t { closed, open, inside };
+
+/// One thread, in cache lines of its own.
 struct alignas(64) Worker {
-  Signal called = 0;
+  Signal door = closed;
   std::thread thread;
 };
 
@@ -21,18 +25,18 @@ struct Team::State {
   std::vector<std::unique_ptr<Worker>> workers;
   void (*task)(void const*, int) = nullptr; ///< none: the team ends
   void const* data = nullptr;
-  alignas(64) std::atomic<int> busy = 0;
-  alignas(64) Signal all_done = 0;
   pid_t process = getpid();
 
   void live(Worker& self, int thread) {
-    for (std::uint32_t call = 0;; ++call) {
-      wait_while(self.called, call);
+    for (;;) {
+      wait_while(self.door, closed);
+      std::uint32_t expected = open;
+      if (!self.door.compare_exchange_strong(expected, inside, std::memory_order_acquire))
+        continue; // it was closed again
       if (!task)
         return;
       task(data, thread);
-      if (busy.fetch_sub(1, std::memory_order_acq_rel) == 1)
-        change(all_done);
+      change_to(self.door, closed);
     }
   }
 
@@ -65,24 +69,25 @@ Team::~Team() {
   }
   state_->task = nullptr;
   for (auto const& worker : state_->workers) {
-    change(worker->called);
+    change_to(worker->door, open);
     worker->thread.join();
   }
 }
 
 void Team::work(int threads, void (*task)(void const*, int), void const* data) {
-  auto& [workers, its_task, its_data, busy, all_done, process] = *state_;
+  auto& workers = state_->workers;
   auto const others = static_cast<std::size_t>(threads - 1);
   while (workers.size() < others)
     state_->add_worker();
-  its_task = task, its_data = data;
-  busy.store(threads - 1, std::memory_order_relaxed);
-  auto const before = all_done.load(std::memory_order_relaxed);
+  state_->task = task, state_->data = data;
   for (std::size_t k = 0; k < others; ++k)
-    change(workers[k]->called);
+    change_to(workers[k]->door, open);
   task(data, 0);
-  if (others > 0)
-    wait_while(all_done, before);
+  for (std::size_t k = 0; k < others; ++k) {
+    std::uint32_t expected = open;
+    if (!workers[k]->door.compare_exchange_strong(expected, closed, std::memory_order_acquire))
+      wait_while(workers[k]->door, inside);
+  }
 }
 
 } // namespace mesobridge::sdpd
