@@ -1,88 +1,93 @@
 #include "md/error.hpp"
-#include "sdpd/simulation.hpp"
+#include "sdpd/equilibration.hpp"
 #include <array>
 #include <cmath>
 
 namespace mesobridge::sdpd {
 namespace {
 
-struct MeanTemperatures {
-  double T_kin = 0, T_int = 0;
-};
-
-void stop_if_asked(std::uint64_t step, std::function<bool()> const& keep_going) {
-  if (step % 32 == 0 && !keep_going())
-    throw Interrupted("stopped while the system came to equilibrium");
-}
-
-void run_in_bath(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
-  for (std::uint64_t k = 0; k < steps; ++k) {
-    simulation.advance(1);
-    simulation.couple_to_bath();
-    stop_if_asked(k, keep_going);
-  }
-}
-
-/// With `quench`, kinetic energy that the settling structure sets free is taken out on the way: a structure
-/// of large particles falls from one arrangement to the next, and each fall is worth many of their k_B T.
-MeanTemperatures run_and_average(Simulation& simulation, std::uint64_t steps, bool quench,
-                                 std::function<bool()> const& keep_going) {
-  constexpr double too_hot = 1.2;
-  constexpr std::uint64_t quench_every = 8;
-  MeanTemperatures sum;
-  for (std::uint64_t k = 0; k < steps; ++k) {
-    simulation.advance(1);
-    Observation const now = simulation.observe();
-    if (quench && k % quench_every == 0 && now.T_kin > too_hot)
-      simulation.scale_momenta(1 / std::sqrt(now.T_kin));
-    sum.T_kin += now.T_kin, sum.T_int += now.T_int;
-    stop_if_asked(k, keep_going);
-  }
-  return {sum.T_kin / static_cast<double>(steps), sum.T_int / static_cast<double>(steps)};
-}
+constexpr std::array<double, 6> shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, 0.5};
+constexpr double last_share = 0.5;
 
 } // namespace
 
-void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
-  if (simulation.has_thermostat()) {
-    if (steps > 0)
-      run_and_average(simulation, steps, false, keep_going);
-    return;
-  }
-  // Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps.
-  std::array<double, 6> const shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, 0.5};
-  std::uint64_t done = 0;
+Equilibration::Equilibration(Simulation& simulation, std::uint64_t steps,
+                             EquilibrationProgress const& progress)
+    : simulation_(simulation), steps_(steps), progress_(progress) {}
+
+/// The run that the next step belongs to; a thermostat needs only one.
+Equilibration::Part Equilibration::part() const {
+  if (simulation_.has_thermostat())
+    return {0, steps_, last_share};
+  Part part{0, 0, 0};
   double share_done = 0;
   for (double const share : shares) {
     share_done += share;
-    auto const end = static_cast<std::uint64_t>(share_done * static_cast<double>(steps));
-    if (end == done)
-      continue;
-    if (simulation.bath_rate() > 0 && share < 0.5) {
-      run_in_bath(simulation, end - done, keep_going);
-      done = end;
-      continue;
-    }
-    auto const mean = run_and_average(simulation, end - done, share < 0.5, keep_going);
-    done = end;
-    if (!simulation.has_noise()) { // nothing but heat is there to be set
-      simulation.heat(1 - mean.T_int);
-      continue;
-    }
-    // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
-    // each temperature fluctuate, cancels.
-    double const kinetic_share =
-        1.5 * (static_cast<double>(simulation.size()) - 1) / simulation.heat_capacity();
-    double const missing = 1 - kinetic_share * mean.T_kin - (1 - kinetic_share) * mean.T_int;
-    simulation.heat(missing / (1 - kinetic_share));
-    // Large particles exchange their little kinetic energy slowly; it is brought to the set temperature
-    // directly while the disorder of the start decays.
-    if (share < 0.5)
-      simulation.scale_momenta(1 / std::sqrt(mean.T_kin));
-    // While the structure settles, densities change at constant entropies and leave every particle with a
-    // temperature of its own, which large particles would keep for very long.
-    if (share < 0.25)
-      simulation.draw_temperatures();
+    part = {part.end, static_cast<std::uint64_t>(share_done * static_cast<double>(steps_)), share};
+    if (progress_.done < part.end)
+      break;
+  }
+  return part;
+}
+
+void Equilibration::advance() {
+  auto const now = part();
+  simulation_.advance(1);
+  bool const in_bath = !simulation_.has_thermostat() && simulation_.bath_rate() > 0 && now.share < last_share;
+  if (in_bath)
+    simulation_.couple_to_bath();
+  else
+    observe(now);
+  ++progress_.done;
+  if (progress_.done < now.end)
+    return;
+  if (!in_bath && !simulation_.has_thermostat())
+    finish(now);
+  progress_.sum_T_kin = progress_.sum_T_int = 0;
+}
+
+/// Kinetic energy that the settling structure sets free is taken out on the way, but for the last run: a
+/// structure of large particles falls from one arrangement to the next, and each fall is worth many of their
+/// k_B T.
+void Equilibration::observe(Part const& part) {
+  constexpr double too_hot = 1.2;
+  constexpr std::uint64_t quench_every = 8;
+  Observation const now = simulation_.observe();
+  if (part.share < last_share && (progress_.done - part.begin) % quench_every == 0 && now.T_kin > too_hot)
+    simulation_.scale_momenta(1 / std::sqrt(now.T_kin));
+  progress_.sum_T_kin += now.T_kin, progress_.sum_T_int += now.T_int;
+}
+
+void Equilibration::finish(Part const& part) {
+  auto const length = static_cast<double>(part.end - part.begin);
+  double const T_kin = progress_.sum_T_kin / length, T_int = progress_.sum_T_int / length;
+  if (!simulation_.has_noise()) { // nothing but heat is there to be set
+    simulation_.heat(1 - T_int);
+    return;
+  }
+  // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
+  // each temperature fluctuate, cancels.
+  double const kinetic_share =
+      1.5 * (static_cast<double>(simulation_.size()) - 1) / simulation_.heat_capacity();
+  double const missing = 1 - kinetic_share * T_kin - (1 - kinetic_share) * T_int;
+  simulation_.heat(missing / (1 - kinetic_share));
+  // Large particles exchange their little kinetic energy slowly; it is brought to the set temperature
+  // directly while the disorder of the start decays.
+  if (part.share < last_share)
+    simulation_.scale_momenta(1 / std::sqrt(T_kin));
+  // While the structure settles, densities change at constant entropies and leave every particle with a
+  // temperature of its own, which large particles would keep for very long.
+  if (part.share < 0.25)
+    simulation_.draw_temperatures();
+}
+
+void equilibrate(Simulation& simulation, std::uint64_t steps, std::function<bool()> const& keep_going) {
+  constexpr std::uint64_t steps_between_questions = 32;
+  Equilibration equilibration(simulation, steps);
+  while (!equilibration.is_done()) {
+    equilibration.advance();
+    if (equilibration.progress().done % steps_between_questions == 1 && !keep_going())
+      throw Interrupted("stopped while the system came to equilibrium");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/terminal.hpp"
+#include "workflows/utf8.hpp"
 #include "workflows/version.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -186,6 +187,7 @@ void help(Words const& words, std::vector<Command> const& commands) {
 }
 
 void run(Words const& arguments, std::vector<Command> const& commands) {
+  require_utf8(arguments);
   if (arguments.empty())
     throw InputError("which command?\n\n" + overview(commands, columns_of(2)));
   if (auto const asked = words_after_help(arguments))

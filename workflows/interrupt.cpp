@@ -1,9 +1,11 @@
 #include "workflows/interrupt.hpp"
 #include "md/error.hpp"
 #include "workflows/progress.hpp"
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <fcntl.h>
 #include <string_view>
 #include <unistd.h>
 
@@ -30,7 +32,8 @@ std::sig_atomic_t seconds() {
 /// asks twice at once (timeout(1) signals a program and its group) is not impatient; who asks again later is.
 void raise_flag(int signal) {
   constexpr std::sig_atomic_t same_wish = 1;
-  bool const again = signal_received != 0 && seconds() - second_received > same_wish;
+  bool const repeats_itself = signal == SIGHUP || signal == SIGXCPU || signal == SIGUSR1; // from the system
+  bool const again = !repeats_itself && signal_received != 0 && seconds() - second_received > same_wish;
   if (signal_received == 0)
     second_received = seconds();
   signal_received = signal;
@@ -41,18 +44,38 @@ void raise_flag(int signal) {
   _exit(interrupted_code);
 }
 
+void handle(int signal) {
+  struct sigaction action {};
+  action.sa_handler = raise_flag;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 } // namespace
 
 void catch_interrupts() {
   signal_received = 0;
   flag_is_read = 0;
   speaks = std::getenv(reports_variable) == nullptr;
-  struct sigaction action {};
-  action.sa_handler = raise_flag;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (int const signal : {SIGINT, SIGTERM, SIGXCPU, SIGUSR1})
+    handle(signal);
+  if (!is_ignored(SIGHUP))
+    handle(SIGHUP);
+}
+
+void survive_failing_streams() {
+  for (int const signal : {SIGPIPE, SIGXFSZ})
+    std::signal(signal, SIG_IGN);
+  for (int const descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    while (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) >= 0) {
+      // open takes the lowest number that is free
+    }
 }
 
 bool interrupt_requested() {
@@ -66,9 +89,11 @@ void interrupts_end_at_once() {
 }
 
 void throw_if_interrupted() {
-  if (interrupt_requested())
-    throw Interrupted(signal_received == SIGTERM ? "interrupted by SIGTERM; what was written stays"
-                                                 : "interrupted; what was written stays");
+  if (!interrupt_requested())
+    return;
+  throw Interrupted(signal_received == SIGINT ? "interrupted; what was written stays"
+                                              : fmt::format("interrupted by SIG{}; what was written stays",
+                                                            sigabbrev_np(signal_received)));
 }
 
 } // namespace mesobridge::workflows

@@ -3,8 +3,11 @@
 #include "workflows/text_file.hpp"
 #include "workflows/version.hpp"
 #include <openssl/evp.h>
+#include <sstream>
 
 namespace mesobridge::workflows {
+
+InputFile::InputFile(std::filesystem::path file) : path(std::move(file)), sha256(sha256_of_file(path)) {}
 
 void write_provenance(Store& store, Provenance const& provenance) {
   constexpr char const* group = "provenance";
@@ -15,8 +18,25 @@ void write_provenance(Store& store, Provenance const& provenance) {
   store.set_attribute(group, "seed", static_cast<std::int64_t>(provenance.seed));
   if (!provenance.scene.empty())
     store.write("provenance/scene", provenance.scene);
-  for (auto const& input : provenance.inputs)
-    store.set_attribute("provenance/inputs", "sha256 of " + input.filename().string(), sha256_of_file(input));
+  std::string sums; // as sha256sum writes and checks them
+  for (auto const& input : provenance.inputs) {
+    store.set_attribute("provenance/inputs", "sha256 of " + input.path.filename().string(), input.sha256);
+    sums += input.sha256 + "  " + input.path.string() + "\n";
+  }
+  if (!sums.empty())
+    store.write("provenance/sha256sums", sums);
+}
+
+std::vector<InputFile> read_inputs(Store const& store) {
+  std::vector<InputFile> inputs;
+  if (!store.contains("provenance/sha256sums"))
+    return inputs;
+  constexpr std::size_t digits = 64;
+  std::istringstream lines(store.read_text("provenance/sha256sums"));
+  for (std::string line; std::getline(lines, line);)
+    if (line.size() > digits + 2)
+      inputs.emplace_back(line.substr(digits + 2), line.substr(0, digits));
+  return inputs;
 }
 
 Json provenance_json(Provenance const& provenance) {
@@ -28,7 +48,7 @@ Json provenance_json(Provenance const& provenance) {
   if (!provenance.scene.empty())
     json["scene"] = provenance.scene;
   for (auto const& input : provenance.inputs)
-    json["inputs"][input.string()] = {{"sha256", sha256_of_file(input)}};
+    json["inputs"][input.path.string()] = {{"sha256", input.sha256}};
   return json;
 }
 

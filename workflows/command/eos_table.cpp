@@ -67,8 +67,8 @@ void write_hdf5(Columns const& columns, NamedFluid const& model, Options const& 
   bool const from_file = std::filesystem::is_regular_file(model.name);
   write_provenance(store, {.command = context.command_line(),
                            .scene = "",
-                           .inputs = from_file ? std::vector<std::filesystem::path>{model.name}
-                                               : std::vector<std::filesystem::path>{}});
+                           .inputs = from_file ? std::vector<InputFile>{InputFile(model.name)}
+                                               : std::vector<InputFile>{}});
   store.close();
 }
 

@@ -1,4 +1,5 @@
 #include "workflows/command/studies.hpp"
+#include "workflows/folder_lock.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/reproduce/list.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -39,6 +40,7 @@ Result reproduce(Options const& options, Context const& context) {
     return list_all();
   auto const& wanted = find(options.name);
   auto const directory = context.output_directory("out/" + wanted.name);
+  FolderLock const lock(directory, context.command_line());
   auto const& common = context.options;
   std::uint64_t const seed = common.seed.value_or(1);
   auto found = wanted.run({.preset = preset_of(options.preset),

@@ -1,5 +1,6 @@
 #include "sdpd/scheme/list.hpp"
 #include "workflows/command/studies.hpp"
+#include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/target.hpp"
@@ -84,6 +85,7 @@ Result run(Options const& options, Context const& context) {
   auto const target = target_of(options, scene);
   auto const directory =
       context.output_directory("out/trade-off-" + std::filesystem::path(options.scene).stem().string());
+  FolderLock const lock(directory, context.command_line());
   std::error_code ignored;
   std::filesystem::create_directories(directory / "trials", ignored); // writing there says what is wrong
   auto progress = context.progress("Trade-off", 1);

@@ -1,4 +1,5 @@
 #include "workflows/command/list.hpp"
+#include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj_to_sdpd/chain.hpp"
 #include "workflows/summary.hpp"
@@ -10,6 +11,7 @@ namespace {
 
 Result lj_to_sdpd(std::string const& preset, Context const& context) {
   auto const directory = context.output_directory("out/lj-to-sdpd");
+  FolderLock const lock(directory, context.command_line());
   auto const results = run_chain(preset_of(preset), preset, directory, context);
   Provenance const provenance{context.command_line(),
                               context.options.seed.value_or(1),

@@ -1,4 +1,5 @@
 #include "workflows/command/star_commands.hpp"
+#include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/summary.hpp"
@@ -48,6 +49,7 @@ Result star_polymers(Options const& options, Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
   auto const plan = plan_of(options, seed);
   auto const directory = context.output_directory("out/star-polymers");
+  FolderLock const lock(directory, context.command_line());
   auto const chapter = run_chapter(plan, directory, context);
   auto report = chapter_report(chapter);
   report.provenance = {context.command_line(), seed, "", {}};

@@ -163,7 +163,7 @@ Result run(FitFamily const& family, Options const& options, Context const& conte
                                          {.command = context.command_line(),
                                           .seed = settings.search.seed,
                                           .scene = {},
-                                          .inputs = options.data}));
+                                          .inputs = {options.data.begin(), options.data.end()}}));
   Result result;
   result.json = {{"model", file.string()}, {"report", report.string()}, {"seed", settings.search.seed}};
   result.json.update(eos_fit_json(fit));

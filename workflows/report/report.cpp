@@ -148,7 +148,7 @@ std::string provenance_html(Provenance const& provenance) {
   entry("Program", fmt::format("mesobridge {} ({})", version(), git_commit()));
   entry("Seed", std::to_string(provenance.seed));
   for (auto const& input : provenance.inputs)
-    entry("SHA-256 of " + input.filename().string(), fmt::format("`{}`", sha256_of_file(input)));
+    entry("SHA-256 of " + input.path.filename().string(), fmt::format("`{}`", input.sha256));
   text += "</dl>\n";
   if (!provenance.scene.empty())
     text += "<p>The scene as resolved:</p>\n<pre>" + html_escaped(provenance.scene) + "</pre>\n";

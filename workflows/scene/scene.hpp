@@ -91,6 +91,7 @@ struct Scene {
   struct Run {
     std::int64_t equilibrate = 0, steps = 0, sample_every = 10, instant_every = 0, trajectory_every = 0,
                  vtkhdf_every = 0, xyz_every = 0, checkpoint_every = 1000;
+    double checkpoint_minutes = 10;
     std::int64_t seed = 1;
     std::string thermostat = "rescale";
     double bath_rate = 1;

@@ -27,10 +27,15 @@ std::array<std::int64_t, 3> integers(sdpd::PairCounts const& counts) {
           static_cast<std::int64_t>(counts.metropolis)};
 }
 
+sdpd::EquilibrationProgress equilibration(std::vector<double> const& stored) {
+  return {
+      .done = static_cast<std::uint64_t>(stored.at(0)), .sum_T_kin = stored.at(1), .sum_T_int = stored.at(2)};
+}
+
 } // namespace
 
 void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const& c,
-                      Provenance const& provenance) {
+                      Provenance const& provenance, sdpd::EquilibrationProgress const& equilibration) {
   auto const fresh = std::filesystem::path(file).concat(".new");
   Store store(fresh, Store::Mode::create);
   std::size_t const n = c.id.size();
@@ -50,6 +55,8 @@ void write_checkpoint(std::filesystem::path const& file, sdpd::Checkpoint const&
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
   store.write("conduction_counts", integers(c.conduction_counts));
+  store.write("equilibration", std::array{static_cast<double>(equilibration.done), equilibration.sum_T_kin,
+                                          equilibration.sum_T_int});
   write_provenance(store, provenance);
   store.write("scene", provenance.scene);
   store.close();
@@ -76,7 +83,9 @@ StoredCheckpoint read_checkpoint(std::filesystem::path const& file) {
                          .kept_energy = store.read_doubles("kept_energy").at(0),
                          .pair_counts = pair_counts(store.read_integers("pair_counts")),
                          .conduction_counts = pair_counts(store.read_integers("conduction_counts"))},
-          .scene = store.read_text("scene")};
+          .scene = store.read_text("scene"),
+          .inputs = read_inputs(store),
+          .equilibration = equilibration(store.read_doubles("equilibration"))};
 }
 
 } // namespace mesobridge::workflows

@@ -1,6 +1,8 @@
 #include "workflows/sdpd/density_constants.hpp"
 #include "md/error.hpp"
+#include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
+#include "workflows/version.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -46,6 +48,15 @@ sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::functio
                     "leaves them as they are): {}",
                     scene.particles.density, error.what()));
   }
+}
+
+std::string calibration_identity(Scene const& scene) {
+  Scene calibrated = scene;
+  calibrated.title.clear();
+  calibrated.run = {
+      .seed = scene.run.seed, .thermostat = scene.run.thermostat, .bath_rate = scene.run.bath_rate};
+  calibrated.profile = {}, calibrated.histogram = {}, calibrated.output = {};
+  return sha256(fmt::format("{}\n{}{}", resolved_toml(calibrated), git_commit(), input_hashes(scene)));
 }
 
 Json calibration_json(sdpd::DensityCalibration const& c, OutputUnits const& units) {

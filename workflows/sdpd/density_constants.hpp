@@ -17,6 +17,9 @@ std::int64_t calibration_steps(Scene const& scene);
 /// Finds them on the scene's own fluid. Throws as calibrate_density.
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going);
 
+/// What a calibration is made of: scenes of which this is the same have the same constants.
+std::string calibration_identity(Scene const& scene);
+
 /// The constants with their standard errors and the last stage's density and pressure in the scene's units.
 Json calibration_json(sdpd::DensityCalibration const& calibration, OutputUnits const& units);
 

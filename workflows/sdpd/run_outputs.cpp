@@ -17,19 +17,20 @@ bool is_due(std::int64_t done, std::int64_t every) {
 } // namespace
 
 RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& settings, OutputUnits const& units,
-                       std::filesystem::path const& folder, Provenance const& provenance, bool resume)
+                       std::filesystem::path const& folder, Provenance const& provenance,
+                       std::optional<FrameSchedules> const& before)
     : units_(units), dt_(settings.dt), sample_every_(scene.run.sample_every),
       instants_every_(instants_every(scene.run)), profile_every_(scene.profile.every),
       histogram_every_(scene.histogram.every),
-      run_file_(
-          open_run_file(RunFolder(folder).run_file(), units, observables_of(settings), provenance, resume)),
+      run_file_(open_run_file(RunFolder(folder).run_file(), units, observables_of(settings), provenance,
+                              before.has_value())),
       profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
                                                                   units, 1 / settings.K)
                                    : std::nullopt),
       histograms_(histogram_every_ > 0
                       ? std::optional<HistogramSeries>(std::in_place, run_file_.store(), scene, units)
                       : std::nullopt),
-      trajectories_(scene, folder, provenance, resume) {}
+      trajectories_(scene, folder, provenance, before) {}
 
 std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {
   for (std::int64_t const every : {sample_every_, instants_every_, profile_every_, histogram_every_})

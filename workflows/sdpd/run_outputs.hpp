@@ -11,9 +11,11 @@ namespace mesobridge::workflows {
 /// schedule of sampled steps.
 class RunOutputs {
  public:
-  /// Creates the files in the folder, or goes on with them. Throws InputError, EnvironmentError.
+  /// Creates the files in the folder or, when the run is resumed, goes on with what it wrote `before`. Throws
+  /// InputError, EnvironmentError.
   RunOutputs(Scene const& scene, sdpd::SimulationSettings const& settings, OutputUnits const& units,
-             std::filesystem::path const& folder, Provenance const& provenance, bool resume);
+             std::filesystem::path const& folder, Provenance const& provenance,
+             std::optional<FrameSchedules> const& before);
 
   /// From this sampled step to the next that any of them wants, at most `steps`.
   std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;

@@ -1,6 +1,5 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "sdpd/observe/runaway.hpp"
-#include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
@@ -9,13 +8,18 @@
 #include "workflows/sdpd/run_outputs.hpp"
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/run_text.hpp"
+#include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
 namespace mesobridge::workflows {
 namespace {
+
+/// Between two questions whether to go on; about a tenth of a second's work of a slow processor.
+constexpr std::int64_t particle_steps_between_questions = 100'000;
 
 /// One scene on its way from the first step to the files.
 class Run {
@@ -24,7 +28,7 @@ class Run {
       : options_(options), folder_(options.directory), scene_(with_density_constants(scene)),
         settings_(settings_of(scene_, options.threads)), simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
-                                                              resolved_toml(scene_), inputs(scene)} {}
+                                                              resolved_toml(scene_), scene_inputs(scene)} {}
 
   RunResult carry_out() {
     try {
@@ -40,75 +44,121 @@ class Run {
 
  private:
   RunResult run() {
-    if (options_.resume && !folder_.stopped_before_first_checkpoint(provenance_.scene))
-      resume();
+    if (options_.past)
+      go_on(*options_.past);
     else
-      start();
+      begin();
     auto const begin = std::chrono::steady_clock::now();
     std::int64_t const first = done_;
     while (done_ < scene_.run.steps) {
       advance(steps_to_next_event());
       record();
-      if (!options_.keep_going(static_cast<std::uint64_t>(scene_.run.equilibrate + done_)))
-        stop();
+      if (done_ < scene_.run.steps)
+        ask();
     }
     std::chrono::duration<double, std::micro> const spent = std::chrono::steady_clock::now() - begin;
     double const work =
         static_cast<double>(scene_.run.steps - first) * static_cast<double>(simulation_.size());
+    if (done_ > first)
+      checkpoint(); // a finished run may be extended
     return finish(work > 0 ? spent.count() / work : 0);
   }
 
-  static std::vector<std::filesystem::path> inputs(Scene const& scene) {
-    std::vector<std::filesystem::path> files;
-    for (auto const& file :
-         {scene.fluid.eos, scene.potential.file.value_or(""), scene.friction.file.value_or(""),
-          scene.conduction.file.value_or(""), scene.internal_energy.model.value_or("")})
-      if (std::filesystem::is_regular_file(file))
-        files.emplace_back(file);
-    return files;
-  }
-
-  /// The scene with the constants of its densities: those that it gives, those of the checkpoint, or fresh
-  /// ones.
+  /// The scene with the constants of its densities: those that it gives, those of an earlier calibration of
+  /// the same fluid in this folder, or fresh ones.
   Scene with_density_constants(Scene scene) {
+    auto const file = folder_.calibration();
+    if (options_.past && std::filesystem::exists(file)) {
+      read_calibration();
+      if (!calibration_.is_object() ||
+          calibration_.value("density_scale", 0.0) != scene.particles.density_scale)
+        calibration_ = {}; // damaged, or of another run
+    }
     if (!wants_calibration(scene))
       return scene;
-    auto& particles = scene.particles;
-    if (options_.resume && folder_.has_checkpoint()) {
-      auto const stored = parse_scene(read_checkpoint(folder_.checkpoint()).scene, folder_.checkpoint());
-      particles.density_scale = stored.particles.density_scale;
-      particles.density_self = stored.particles.density_self;
-      calibration_ = Json::parse(read_text_file(folder_.calibration()));
-      return scene;
+    auto const made_of = calibration_identity(scene);
+    if (!std::filesystem::exists(file) || read_calibration() != made_of) {
+      auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
+      calibration_ = calibration_json(found, OutputUnits(settings_of(scene, 1).units(), scene.units));
+      auto stored = calibration_;
+      stored["made_of"] = made_of;
+      write_summary(file, stored);
     }
-    auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
-    particles.density_scale = found.constants.scale, particles.density_self = found.constants.self;
-    calibration_ = calibration_json(found, OutputUnits(settings_of(scene, 1).units(), scene.units));
-    write_summary(folder_.calibration(), calibration_);
+    scene.particles.density_scale = calibration_["density_scale"];
+    scene.particles.density_self = calibration_["density_self"];
     return scene;
   }
 
-  void start() {
-    std::error_code ignored; // what an earlier run left here is none of this one's
-    std::filesystem::remove(folder_.checkpoint(), ignored);
-    write_text_file(folder_.scene(), provenance_.scene);
-    open_log(false);
-    sdpd::equilibrate(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
-                      [&] { return options_.keep_going(simulation_.step()); });
-    outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, false);
-    record();
+  /// Takes what the folder's file says; returns what it was made of.
+  std::string read_calibration() {
+    try {
+      calibration_ = Json::parse(read_text_file(folder_.calibration()));
+      std::string made_of = calibration_.value("made_of", "");
+      calibration_.erase("made_of");
+      return made_of;
+    } catch (Json::exception const&) {
+      return {}; // it is made again
+    }
   }
 
-  void resume() {
-    auto const stored = read_checkpoint(folder_.checkpoint());
-    if (stored.scene != provenance_.scene)
-      throw InputError(fmt::format("'{}' was written by another scene than this one: compare '{}' and take "
-                                   "the same scene, or another directory",
-                                   folder_.checkpoint().string(), folder_.scene().string()));
+  void begin() {
+    std::error_code ignored; // what an earlier run left here is none of this one's
+    std::filesystem::remove(folder_.checkpoint(), ignored);
+    folder_.write_scene(provenance_.scene);
+    open_log(false);
+    try {
+      equilibrate();
+    } catch (PhysicsError const&) {
+      if (!folder_.has_checkpoint() && !std::filesystem::exists(folder_.run_file()))
+        std::filesystem::remove(folder_.scene(), ignored); // another try is not in its way
+      throw;
+    }
+    begin_to_sample();
+  }
+
+  void go_on(PastRun const& past) {
     open_log(true);
-    simulation_.restore(stored.checkpoint);
-    done_ = static_cast<std::int64_t>(stored.checkpoint.step) - scene_.run.equilibrate;
-    outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, true);
+    auto const& checkpoint_there = past.stored.checkpoint;
+    simulation_.restore(checkpoint_there);
+    done_ = static_cast<std::int64_t>(checkpoint_there.step) - scene_.run.equilibrate;
+    require(done_ <= scene_.run.steps, "run.steps", scene_.run.steps,
+            fmt::format("must be at least {}: so many are done already", done_));
+    bool const changed = past.stored.scene != provenance_.scene;
+    if (changed && folder_.read_scene() == past.stored.scene) // not a file that its user has changed
+      folder_.write_scene(provenance_.scene);
+    if (done_ < 0) {
+      equilibration_ = past.stored.equilibration;
+      done_ = 0;
+      equilibrate();
+      begin_to_sample();
+      return;
+    }
+    outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, past.frames);
+    if (changed)
+      checkpoint(); // with the new schedules
+  }
+
+  void equilibrate() {
+    std::uint64_t const steps_between_questions =
+        std::clamp<std::uint64_t>(particle_steps_between_questions / simulation_.size(), 1, 32);
+    sdpd::Equilibration equilibration(simulation_, static_cast<std::uint64_t>(scene_.run.equilibrate),
+                                      equilibration_);
+    while (!equilibration.is_done()) {
+      equilibration.advance();
+      equilibration_ = equilibration.progress();
+      if (equilibration.is_done())
+        break;
+      if (is_time_for_checkpoint(static_cast<std::int64_t>(equilibration_.done)))
+        checkpoint();
+      if (equilibration_.done % steps_between_questions == 0)
+        ask();
+    }
+    equilibration_ = {};
+  }
+
+  void begin_to_sample() {
+    outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, std::nullopt);
+    record();
   }
 
   void open_log(bool resume) {
@@ -124,8 +174,15 @@ class Run {
   }
 
   void advance(std::int64_t steps) {
-    simulation_.advance(static_cast<std::uint64_t>(steps));
-    done_ += steps;
+    auto const slice = std::max<std::int64_t>(1, particle_steps_between_questions /
+                                                     static_cast<std::int64_t>(simulation_.size()));
+    for (auto const end = done_ + steps; done_ < end;) {
+      auto const now = std::min(slice, end - done_);
+      simulation_.advance(static_cast<std::uint64_t>(now));
+      done_ += now;
+      if (done_ < end)
+        ask();
+    }
   }
 
   /// What is due at this step: all outputs, then the checkpoint.
@@ -136,21 +193,40 @@ class Run {
     outputs_->record(done_, observed, simulation_);
     if (done_ % log_->every() == 0)
       log_->thermo(done_, observed);
-    if (done_ > 0 && scene_.run.checkpoint_every > 0 && done_ % scene_.run.checkpoint_every == 0)
+    if (done_ > 0 && is_time_for_checkpoint(done_))
       checkpoint();
   }
 
-  void checkpoint() {
-    outputs_->mark(); // first, so that no file is ever behind the checkpoint
-    write_checkpoint(folder_.checkpoint(), simulation_.checkpoint(), provenance_);
+  bool is_time_for_checkpoint(std::int64_t steps) const {
+    std::chrono::duration<double, std::ratio<60>> const minutes =
+        std::chrono::steady_clock::now() - last_checkpoint_;
+    auto const& run = scene_.run;
+    return (run.checkpoint_every > 0 && steps % run.checkpoint_every == 0) ||
+           (run.checkpoint_minutes > 0 && minutes.count() >= run.checkpoint_minutes);
   }
 
-  [[noreturn]] void stop() {
+  void checkpoint() {
+    if (outputs_)
+      outputs_->mark(); // first, so that no file is ever behind the checkpoint
+    write_checkpoint(folder_.checkpoint(), simulation_.checkpoint(), provenance_, equilibration_);
+    last_checkpoint_ = std::chrono::steady_clock::now();
+  }
+
+  /// Asks whether to go on, and stops if not.
+  void ask() {
+    if (options_.keep_going(simulation_.step()))
+      return;
     checkpoint();
+    auto const where = options_.directory.string();
+    if (!outputs_)
+      throw Interrupted(
+          fmt::format("stopped after {} of {} steps to equilibrium; a checkpoint is in '{}': go on "
+                      "with --resume",
+                      equilibration_.done, scene_.run.equilibrate, where));
     throw Interrupted(
         fmt::format("stopped after {} of {} steps; all samples so far and a checkpoint are in '{}': go on "
                     "with --resume",
-                    done_, scene_.run.steps, options_.directory.string()));
+                    done_, scene_.run.steps, where));
   }
 
   RunResult finish(double us_per_particle_step) {
@@ -186,7 +262,9 @@ class Run {
   Provenance provenance_;
   std::optional<RunOutputs> outputs_;
   std::optional<RunLog> log_;
-  std::int64_t done_ = 0; ///< of the sampled steps
+  std::int64_t done_ = 0;                          ///< of the sampled steps
+  sdpd::EquilibrationProgress equilibration_ = {}; ///< while it is under way
+  std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/observe/health.hpp"
 #include "workflows/command.hpp"
+#include "workflows/sdpd/resumption.hpp"
 #include "workflows/sdpd/settings.hpp"
 
 namespace mesobridge::workflows {
@@ -8,7 +9,9 @@ namespace mesobridge::workflows {
 struct RunOptions {
   std::filesystem::path directory; ///< exists
   int threads = 1;
-  bool resume = false;                               ///< go on from the directory's checkpoint
+  /// To go on from; the scene is then that of resumed_scene(). Nothing: the run begins, and what another one
+  /// left in the directory is replaced.
+  std::optional<PastRun> past = {};
   std::string command;                               ///< the command line, for the files' provenance
   std::function<void(std::string const&)> tell = {}; ///< gets the log's lines of thermodynamics, if given
   /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).
@@ -28,9 +31,10 @@ struct RunResult {
   Json summary;                        ///< what stands in summary.json
 };
 
-/// Runs a scene: equilibrates, samples, writes scene.toml, run.h5, trajectory.h5 (if asked for), checkpoints
-/// summary.json and log.txt into the directory. Throws PhysicsError when the run cannot go on; Interrupted
-/// when it was stopped, with a message that says where and how to go on.
+/// Runs a scene: equilibrates, samples, writes scene.toml, run.h5, trajectories (if asked for), checkpoints,
+/// summary.json and log.txt into the directory; the bits of results do not depend on when checkpoints are
+/// written, nor on how often the run was stopped and resumed. Throws PhysicsError when the run cannot go on;
+/// Interrupted when it was stopped, with a message that says where and how to go on.
 RunResult run_scene(Scene const& scene, RunOptions const& options);
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/trajectories.hpp"
+#include "md/error.hpp"
 #include <algorithm>
 #include <array>
 
@@ -35,6 +36,27 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
   return frame;
 }
 
+/// Where a resumed run's schedule is another than before. A file that is written no longer is closed as its
+/// run left it; one that is written again, after a part of the run without it, keeps its old frames under
+/// another name.
+void make_way(std::filesystem::path const& file, std::int64_t every, std::int64_t before) {
+  if (every == 0 && before > 0 && file.extension() != ".xyz")
+    Store::mend(file);
+  if (every == 0 || before > 0 || !std::filesystem::exists(file))
+    return;
+  auto const numbered = [&](int number) {
+    return file.parent_path() /
+           fmt::format("{}.{}{}", file.stem().string(), number, file.extension().string());
+  };
+  int number = 1;
+  while (std::filesystem::exists(numbered(number)))
+    ++number;
+  std::error_code error;
+  std::filesystem::rename(file, numbered(number), error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot rename '{}': {}", file.string(), error.message()));
+}
+
 H5mdWriter::Units h5md_units(bool si) {
   // The frames are in nm and ps already.
   return {.length = 1, .time = 1, .physical = si};
@@ -43,17 +65,23 @@ H5mdWriter::Units h5md_units(bool si) {
 } // namespace
 
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
-                           Provenance const& provenance, bool resume)
+                           Provenance const& provenance, std::optional<FrameSchedules> const& before)
     : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
   auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
              xyz = folder / "trajectory.xyz";
+  auto const past = before.value_or(FrameSchedules{});
+  if (before) {
+    make_way(h5, schedule_.trajectory_every, past.h5md);
+    make_way(vtk, schedule_.vtkhdf_every, past.vtkhdf);
+    make_way(xyz, schedule_.xyz_every, past.xyz);
+  }
   if (schedule_.trajectory_every > 0)
-    h5md_.emplace(resume ? H5mdWriter::continue_file(h5, h5md_units(si_))
-                         : H5mdWriter(h5, h5md_units(si_), provenance));
+    h5md_.emplace(past.h5md > 0 ? H5mdWriter::continue_file(h5, h5md_units(si_))
+                                : H5mdWriter(h5, h5md_units(si_), provenance));
   if (schedule_.vtkhdf_every > 0)
-    vtkhdf_.emplace(resume ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
+    vtkhdf_.emplace(past.vtkhdf > 0 ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)
-    xyz_.emplace(resume ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz));
+    xyz_.emplace(past.xyz > 0 ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz));
 }
 
 std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) const {

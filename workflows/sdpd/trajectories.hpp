@@ -8,15 +8,21 @@
 
 namespace mesobridge::workflows {
 
+/// Steps between frames; 0: none.
+struct FrameSchedules {
+  std::int64_t h5md = 0, vtkhdf = 0, xyz = 0;
+};
+
 /// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5`
 /// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
 /// its checkpoint bit for bit: frames that a file holds already are skipped, and those that a run which was
 /// killed wrote after its last mark() are gone.
 class Trajectories {
  public:
-  /// Creates the files in the folder, or goes on with them. Throws InputError, EnvironmentError.
+  /// Creates the files in the folder or, when the run is resumed, goes on with those that it wrote `before`.
+  /// A file that it had ceased to write makes room for a new one. Throws InputError, EnvironmentError.
   Trajectories(Scene const& scene, std::filesystem::path const& folder, Provenance const& provenance,
-               bool resume);
+               std::optional<FrameSchedules> const& before);
 
   /// From this sampled step to that of the next frame of any of them, at most `steps`.
   std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;

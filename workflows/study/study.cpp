@@ -127,8 +127,9 @@ Scene small_sample(Scene const& scene, std::int64_t particles) {
   auto const narrowest = static_cast<std::int64_t>(std::ceil(narrowest_edge(scene)));
   auto const side = std::max(narrowest, static_cast<std::int64_t>(std::llround(std::cbrt(particles))));
   sample.particles.N = side * side * side;
-  sample.run.trajectory_every = 0;
-  sample.run.checkpoint_every = 0;
+  sample.run.trajectory_every = sample.run.vtkhdf_every = sample.run.xyz_every = 0;
+  sample.run.instant_every = 0;
+  sample.run.checkpoint_every = 0, sample.run.checkpoint_minutes = 0;
   sample.profile = {}, sample.histogram = {};
   sample.output = {};
   return sample;

@@ -1,4 +1,5 @@
 #include "workflows/study/trial_file.hpp"
+#include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/study/stored_part.hpp"
 #include "workflows/version.hpp"
 
@@ -20,8 +21,8 @@ void for_each_member(Result& r, F const& f) {
 }
 
 std::string identity(Trial const& trial) {
-  return fmt::format("{}\nbins {} {} {}\n{}", resolved_toml(trial.scene), trial.bins.lower, trial.bins.upper,
-                     trial.bins.count, git_commit());
+  return fmt::format("{}\nbins {} {} {}\n{}{}", resolved_toml(trial.scene), trial.bins.lower,
+                     trial.bins.upper, trial.bins.count, git_commit(), input_hashes(trial.scene));
 }
 
 void write_trial(std::filesystem::path const& file, std::string const& identity, TrialResult const& result) {

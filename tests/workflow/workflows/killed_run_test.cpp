@@ -1,3 +1,4 @@
+#include "unit/workflows/killed_process.hpp"
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
@@ -8,7 +9,6 @@
 #include <random>
 #include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 // A run that is killed again and again, at any time and in the hardest way, and resumed each time, ends with
 // the same bits as one that was left alone. It writes often, so that many of its deaths are in the middle of
@@ -17,6 +17,8 @@
 namespace mesobridge::workflows {
 namespace {
 
+using tests::killed;
+using tests::killed_after;
 using tests::ScratchDirectory;
 
 std::vector<std::string> words(std::filesystem::path const& directory, bool resume) {
@@ -36,29 +38,6 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
   if (resume)
     result.push_back("--resume");
   return result;
-}
-
-/// Starts the program, waits and sends it a signal; its status as waitpid tells it.
-template <class Wait>
-int killed(Wait const& wait, int signal, std::vector<std::string> command) {
-  std::vector<char*> argv;
-  for (auto& word : command)
-    argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t const child = fork();
-  if (child == 0) {
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  wait();
-  kill(child, signal);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status;
-}
-
-int killed_after(std::chrono::microseconds delay, int signal, std::vector<std::string> const& command) {
-  return killed([&] { std::this_thread::sleep_for(delay); }, signal, command);
 }
 
 std::vector<std::vector<double>> datasets(std::filesystem::path const& file,

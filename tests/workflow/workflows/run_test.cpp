@@ -202,12 +202,72 @@ TEST(Run, TakesTheDiskThatCheckForetold) {
 TEST(Run, RefusesToResumeAnotherScene) {
   ScratchDirectory const scratch;
   ASSERT_EQ(run(scratch / "a").status, 0);
-  auto const other = run(scratch / "a", {"--resume", "--set", "fluid.T=900 K"});
-  EXPECT_EQ(other.status, 2);
-  EXPECT_NE(other.errors.find("another scene"), std::string::npos) << other.errors;
-  auto const none = run(scratch / "empty", {"--resume"});
-  EXPECT_EQ(none.status, 2);
-  EXPECT_NE(none.errors.find("checkpoint.h5"), std::string::npos) << none.errors;
+  auto const before = files(scratch / "a");
+  std::vector<std::string> const others{"fluid.T=900 K",
+                                        "fluid.eos=ideal-gas",
+                                        "particles.K=21",
+                                        "particles.N=1331",
+                                        "transport.eta=1e-3 Pa*s",
+                                        "scheme.dt=0.02",
+                                        "scheme.name=ems",
+                                        "run.equilibrate=65",
+                                        "run.sample_every=10",
+                                        "run.instant_every=20",
+                                        "run.seed=2",
+                                        "particles.kernel=wendland-c4",
+                                        "profile.bins=21",
+                                        "histogram.reach=7",
+                                        "run.thermostat=langevin"};
+  int refused = 0;
+  for (auto const& other : others) {
+    auto more = std::vector<std::string>{"--resume", "--set", other};
+    if (other == "fluid.eos=ideal-gas")
+      more.insert(more.end(), {"--set", "fluid.m0=1e-25 kg"});
+    auto const result = run(scratch / "a", more);
+    EXPECT_EQ(result.status, 2) << other;
+    EXPECT_NE(result.errors.find("another scene"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find(other.substr(0, other.find('=')) + " was "), std::string::npos)
+        << result.errors;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 15);
+  EXPECT_TRUE(before == files(scratch / "a"));
+}
+
+TEST(Run, ExtendedIsThatOfMoreStepsFromTheStart) {
+  ScratchDirectory const scratch;
+  std::vector<std::string> const plain{"--set", "particles.density=plain"}; // whatever the steps
+  auto with = [&](std::vector<std::string> const& more) {
+    auto words = plain;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  ASSERT_EQ(run(scratch / "long", with({"--set", "run.steps=800"})).status, 0);
+  ASSERT_EQ(run(scratch / "a", plain).status, 0);
+  EXPECT_FALSE(files(scratch / "a") == files(scratch / "long"));
+  // By 83 steps, at none of whose ends anything is due, and by the rest.
+  for (char const* steps : {"run.steps=483", "run.steps=800"}) {
+    auto const extended = run(scratch / "a", with({"--resume", "--set", steps}));
+    ASSERT_EQ(extended.status, 0) << extended.errors;
+  }
+  EXPECT_TRUE(files(scratch / "a") == files(scratch / "long"));
+}
+
+// The checkpoints' schedule is none of the results'.
+TEST(Run, HasTheSameBitsWhenItsCheckpointsAreWritten) {
+  ScratchDirectory const scratch;
+  auto of = [&](std::string const& name, std::vector<std::string> const& more) {
+    EXPECT_EQ(run(scratch / name, more).status, 0);
+    auto results = files(scratch / name);
+    results.scene.clear();
+    return results;
+  };
+  auto const seldom = of("seldom", {}), always = of("always", {"--set", "run.checkpoint_minutes=1e-9"}),
+             never = of("never", {"--set", "run.checkpoint_minutes=0", "--set", "run.checkpoint_every=0"}),
+             odd = of("odd", {"--set", "run.checkpoint_every=7"});
+  EXPECT_TRUE(seldom == always);
+  EXPECT_TRUE(seldom == never);
+  EXPECT_TRUE(seldom == odd);
 }
 
 TEST(Run, SaysWhyItCannotGoOn) {

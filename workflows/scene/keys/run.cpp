@@ -45,7 +45,12 @@ std::vector<SceneKey> run_keys() {
           .in(not_negative),
       Line(
           "run", "checkpoint_every", [](Scene& s) { return &s.run.checkpoint_every; },
-          "steps between checkpoints; 0: only when interrupted")
+          "steps between checkpoints, also of the equilibration; 0: none by steps")
+          .in(not_negative),
+      Line(
+          "run", "checkpoint_minutes", [](Scene& s) { return &s.run.checkpoint_minutes; },
+          "minutes after which there is a checkpoint in any case; 0: only by steps, when interrupted and at "
+          "the end")
           .in(not_negative),
       Line(
           "run", "seed", [](Scene& s) { return &s.run.seed; }, "seed of all random numbers")

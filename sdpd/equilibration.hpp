@@ -1,0 +1,41 @@
+#pragma once
+#include "sdpd/simulation.hpp"
+
+namespace mesobridge::sdpd {
+
+/// How far an equilibration is: with the simulation's checkpoint, all that it needs to go on bit for bit.
+struct EquilibrationProgress {
+  std::uint64_t done = 0;              ///< steps
+  double sum_T_kin = 0, sum_T_int = 0; ///< of the present run's observations
+};
+
+/// equilibrate() in steps of the caller's, who may stop it, keep it and go on with it.
+///
+/// Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps, at whose ends heat is added or taken out.
+class Equilibration {
+ public:
+  /// The simulation is fresh, or where it was at this progress.
+  Equilibration(Simulation& simulation, std::uint64_t steps, EquilibrationProgress const& progress = {});
+
+  bool is_done() const { return progress_.done >= steps_; }
+
+  /// One step and, where a run ends with it, what follows that. Throws PhysicsError.
+  void advance();
+
+  EquilibrationProgress const& progress() const { return progress_; }
+
+ private:
+  struct Part {
+    std::uint64_t begin, end; ///< steps
+    double share;             ///< of all
+  };
+  Part part() const;
+  void observe(Part const& part);
+  void finish(Part const& part);
+
+  Simulation& simulation_;
+  std::uint64_t steps_;
+  EquilibrationProgress progress_;
+};
+
+} // namespace mesobridge::sdpd

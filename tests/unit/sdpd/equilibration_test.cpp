@@ -1,0 +1,69 @@
+#include "pair_fluid_fixtures.hpp"
+#include "sdpd/equilibration.hpp"
+#include "sdpd_fixtures.hpp"
+#include <gtest/gtest.h>
+
+// An equilibration that is stopped at any of its steps, also where heat is added or velocities are drawn, and
+// goes on with another simulation, ends in the same bits.
+
+namespace mesobridge::sdpd {
+namespace {
+
+constexpr std::uint64_t steps = 96; // runs of 3, 3, 6, 12, 24, 48
+
+void expect_same(Checkpoint const& a, Checkpoint const& b) {
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.id, b.id);
+  for (auto const& [x, y] : {std::pair(&a.q, &b.q), std::pair(&a.p, &b.p)})
+    for (std::size_t i = 0; i < x->size(); ++i)
+      ASSERT_TRUE((*x)[i].x == (*y)[i].x && (*x)[i].y == (*y)[i].y && (*x)[i].z == (*y)[i].z) << i;
+  EXPECT_EQ(a.eps, b.eps);
+  EXPECT_EQ(a.S, b.S);
+  EXPECT_EQ(a.T, b.T);
+  EXPECT_EQ(a.kept_energy, b.kept_energy);
+}
+
+Checkpoint equilibrated(SimulationSettings const& settings) {
+  Simulation simulation(settings);
+  equilibrate(simulation, steps, [] { return true; });
+  return simulation.checkpoint();
+}
+
+Checkpoint stopped_at(std::uint64_t step, SimulationSettings const& settings) {
+  Simulation first(settings);
+  Equilibration begun(first, steps);
+  while (begun.progress().done < step)
+    begun.advance();
+  Simulation second(settings);
+  second.restore(first.checkpoint());
+  Equilibration resumed(second, steps, begun.progress());
+  while (!resumed.is_done())
+    resumed.advance();
+  return second.checkpoint();
+}
+
+TEST(Equilibration, GoesOnBitForBit) {
+  auto small = [](SimulationSettings s) {
+    s.lattice = {7, 7, 7};
+    return s;
+  };
+  auto without_noise = small(argon(100, 0.05));
+  without_noise.noise = false;
+  auto in_bath = small(argon(100, 0.05));
+  in_bath.bath_rate = 1;
+  auto keeping = small(argon(20, 0.1));
+  keeping.scheme.keep_energy = true;
+  int compared = 0;
+  for (auto const& settings : {small(argon(100, 0.05)), without_noise, in_bath, keeping,
+                               small(dpde_fluid(100)), small(dpd_fluid())}) {
+    auto const unbroken = equilibrated(settings);
+    for (std::uint64_t const step : {1u, 3u, 12u, 13u, 48u, 71u}) {
+      expect_same(unbroken, stopped_at(step, settings));
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 6 * 6);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
