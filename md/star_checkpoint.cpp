@@ -1,7 +1,12 @@
 #include "md/star_checkpoint.hpp"
+#include "md/error.hpp"
 #include "md/star_system.hpp"
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <string_view>
+#include <unistd.h>
 
 namespace mesobridge::md {
 namespace {
@@ -20,6 +25,26 @@ void require_whole(std::filesystem::path const& file) {
                     file.string()));
 }
 
+/// Waits until a file, or the names in a directory, are on the disk, where power loss leaves them.
+void wait_for_disk(std::filesystem::path const& file) {
+  int const descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  bool const failed = descriptor < 0 || (fsync(descriptor) != 0 && errno != EINVAL);
+  int const cause = errno;
+  if (descriptor >= 0)
+    close(descriptor);
+  if (failed)
+    throw EnvironmentError(fmt::format("cannot write '{}': {}", file.string(), std::strerror(cause)));
+}
+
+void replace(std::filesystem::path const& fresh, std::filesystem::path const& file) {
+  wait_for_disk(fresh);
+  std::error_code error;
+  std::filesystem::rename(fresh, file, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot write '{}': {}", file.string(), error.message()));
+  wait_for_disk(file.has_parent_path() ? file.parent_path() : ".");
+}
+
 } // namespace
 
 void write_checkpoint(MpiWorld const& world, LammpsSession& lammps, std::filesystem::path const& file,
@@ -32,7 +57,7 @@ void write_checkpoint(MpiWorld const& world, LammpsSession& lammps, std::filesys
     before_it_counts();
   world.barrier();
   if (world.is_root())
-    std::filesystem::rename(fresh, file);
+    replace(fresh, file);
   world.barrier();
 }
 

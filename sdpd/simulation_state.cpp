@@ -1,6 +1,7 @@
 #include "sdpd/observe/virials.hpp"
 #include "sdpd/start.hpp"
 #include "sdpd/step/conservative.hpp"
+#include <algorithm>
 
 // What a simulation tells of its particles, and how it goes on from that.
 
@@ -16,6 +17,21 @@ void check_lengths(Checkpoint const& c, Particles const& of) {
             fmt::format("must be {} as in the scene", of.eps.size()));
   require(c.S.size() == of.S.size(), "entropies in the checkpoint", c.S.size(),
           fmt::format("must be {} as in the scene", of.S.size()));
+}
+
+/// What is asked of positions and temperatures before cells are looked up by them.
+void check_values(Checkpoint const& c, Box const& box) {
+  auto within = [](double value, double edge) { return value >= 0 && value <= edge; };
+  for (auto const& q : c.q_at_renewal)
+    require(within(q.x, box.edge.x) && within(q.y, box.edge.y) && within(q.z, box.edge.z),
+            "a position in the checkpoint", fmt::format("({}, {}, {})", q.x, q.y, q.z),
+            fmt::format("must be in the box of {} x {} x {}", box.edge.x, box.edge.y, box.edge.z));
+  double const furthest = std::min({box.edge.x, box.edge.y, box.edge.z});
+  for (std::size_t i = 0; i < c.q.size(); ++i)
+    require(norm(c.q[i] - c.q_at_renewal[i]) <= furthest, "a way between two renewals in the checkpoint",
+            norm(c.q[i] - c.q_at_renewal[i]), fmt::format("must be at most the box's edge {}", furthest));
+  for (double const T : c.T)
+    require(T > 0, "a temperature in the checkpoint", T, "must be > 0");
 }
 
 } // namespace
@@ -62,6 +78,7 @@ Checkpoint Simulation::checkpoint() const {
 void Simulation::restore(Checkpoint const& c) {
   auto& particles = system_->particles;
   check_lengths(c, particles);
+  check_values(c, box());
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
   particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.S = c.S, particles.T = c.T;
   particles.q = c.q_at_renewal;

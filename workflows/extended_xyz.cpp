@@ -1,6 +1,7 @@
 #include "workflows/extended_xyz.hpp"
 #include "md/error.hpp"
 #include <charconv>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -27,10 +28,6 @@ std::string text_of(ParticleFrame const& frame) {
     text += '\n';
   }
   return text;
-}
-
-[[noreturn]] void fail(char const* what, std::filesystem::path const& file) {
-  throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(), std::strerror(errno)));
 }
 
 /// The step in a frame's second line.
@@ -72,29 +69,39 @@ WholeFrames whole_frames(std::filesystem::path const& file) {
   return whole;
 }
 
-} // namespace
-
-ExtendedXyzWriter::ExtendedXyzWriter(std::filesystem::path file) : file_(std::move(file)) {
-  if (!std::ofstream(file_, std::ios::trunc))
-    fail("create", file_);
+/// Empties the file, or makes it.
+std::filesystem::path emptied(std::filesystem::path file) {
+  UndoJournal::discard(file); // of a file of that name that is no more
+  Descriptor const made(file, O_WRONLY | O_CREAT | O_TRUNC);
+  return file;
 }
 
+} // namespace
+
+ExtendedXyzWriter::ExtendedXyzWriter(std::filesystem::path file)
+    : ExtendedXyzWriter(emptied(std::move(file)), -1) {}
+
 ExtendedXyzWriter ExtendedXyzWriter::continue_file(std::filesystem::path file) {
+  UndoJournal::roll_back(file);
   auto const whole = whole_frames(file);
-  std::error_code error;
-  std::filesystem::resize_file(file, whole.bytes, error);
-  if (error)
-    throw EnvironmentError(fmt::format("cannot shorten '{}': {}", file.string(), error.message()));
+  cut(Descriptor(file, O_WRONLY), whole.bytes, file);
   return ExtendedXyzWriter(std::move(file), whole.last_step);
 }
 
 void ExtendedXyzWriter::append(ParticleFrame const& frame) {
   frame.check();
-  std::ofstream out(file_, std::ios::binary | std::ios::app);
-  out << text_of(frame) << std::flush;
-  if (!out)
-    fail("write", file_);
+  write_all(Descriptor(file_, O_WRONLY | O_APPEND), text_of(frame), file_);
   last_step_ = frame.step;
+}
+
+void ExtendedXyzWriter::mark() {
+  journal_->renew();
+}
+
+void ExtendedXyzWriter::close() {
+  sync(Descriptor(file_, O_RDONLY), file_);
+  journal_.reset();
+  UndoJournal::discard(file_);
 }
 
 } // namespace mesobridge::workflows

@@ -1,18 +1,22 @@
 #pragma once
 #include "workflows/sdpd/particle_frame.hpp"
+#include "workflows/store/undo_journal.hpp"
 #include <filesystem>
+#include <memory>
 
 namespace mesobridge::workflows {
 
 /// A trajectory in the extended XYZ format, text that OVITO and ASE open: for each frame the number of
 /// particles, a line with the box, the columns, the step and the time, and one line a particle. Numbers are
-/// written so that they read back as the same bits.
+/// written so that they read back as the same bits. What was there at the last mark() survives the program's
+/// death at any moment.
 class ExtendedXyzWriter {
  public:
   /// Begins a new file. Throws EnvironmentError.
   explicit ExtendedXyzWriter(std::filesystem::path file);
 
-  /// Goes on with a file that an earlier run wrote; what a stopped run left of a frame at its end is cut off.
+  /// Goes on with a file that an earlier run wrote: from its last mark or, when it was closed, from its end;
+  /// what is left of a frame there is cut off.
   /// Throws InputError, EnvironmentError.
   static ExtendedXyzWriter continue_file(std::filesystem::path file);
 
@@ -20,14 +24,18 @@ class ExtendedXyzWriter {
   /// written.
   void append(ParticleFrame const& frame);
 
+  void mark();  ///< the frames so far are safe; throws EnvironmentError
+  void close(); ///< the same, for good
+
   /// Step of the last frame in the file, -1 if there is none.
   std::int64_t last_step() const { return last_step_; }
 
  private:
   ExtendedXyzWriter(std::filesystem::path file, std::int64_t last_step)
-      : file_(std::move(file)), last_step_(last_step) {}
+      : file_(std::move(file)), journal_(std::make_unique<UndoJournal>(file_)), last_step_(last_step) {}
 
   std::filesystem::path file_;
+  std::unique_ptr<UndoJournal> journal_; ///< holds no page: frames are only appended
   std::int64_t last_step_ = -1;
 };
 

@@ -1,5 +1,6 @@
 #include "workflows/h5md.hpp"
 #include "md/error.hpp"
+#include "workflows/sdpd/last_step.hpp"
 #include "workflows/version.hpp"
 #include <array>
 
@@ -32,7 +33,7 @@ H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenanc
   store_.set_attribute(std::string(particles) + "/box", "dimension", std::int64_t{3});
   store_.set_attribute(std::string(particles) + "/box", "boundary", std::span<std::string const>(boundary));
   write_provenance(store_, provenance);
-  store_.flush();
+  store_.mark();
 }
 
 H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units units) {
@@ -44,8 +45,7 @@ H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units un
 
 std::int64_t H5mdWriter::last_step() const {
   std::string const steps = std::string(particles) + "/position/step";
-  auto const rows = store_.contains(steps) ? store_.rows(steps) : 0;
-  return rows > 0 ? store_.read_integer_row(steps, rows - 1, {.row_shape = Store::Shape{}}).at(0) : -1;
+  return workflows::last_step(store_, steps);
 }
 
 void H5mdWriter::describe(std::string const& group, std::string const& unit) {

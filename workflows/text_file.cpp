@@ -1,5 +1,6 @@
 #include "workflows/text_file.hpp"
 #include "md/error.hpp"
+#include "workflows/store/durable_file.hpp"
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -58,6 +59,7 @@ void write_text_file(std::filesystem::path const& file, std::string_view text) {
     unlink(scratch.c_str());
     fail_to_write(file, cause);
   }
+  sync_directory_of(file);
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,6 @@
 #include "workflows/vtkhdf.hpp"
 #include "md/error.hpp"
+#include "workflows/sdpd/last_step.hpp"
 #include <array>
 #include <numeric>
 
@@ -22,7 +23,7 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path const& file, Provenance const& 
   store_.set_ascii_attribute("VTKHDF", "Type", "UnstructuredGrid");
   store_.set_attribute(root + "Steps", "NSteps", std::int64_t{0});
   write_provenance(store_, provenance);
-  store_.flush();
+  store_.mark();
 }
 
 VtkHdfWriter VtkHdfWriter::continue_file(std::filesystem::path const& file) {
@@ -33,8 +34,7 @@ VtkHdfWriter VtkHdfWriter::continue_file(std::filesystem::path const& file) {
 }
 
 std::int64_t VtkHdfWriter::last_step() const {
-  auto const rows = store_.contains(step_numbers) ? store_.rows(step_numbers) : 0;
-  return rows > 0 ? store_.read_integer_row(step_numbers, rows - 1, {.row_shape = Store::Shape{}}).at(0) : -1;
+  return workflows::last_step(store_, step_numbers);
 }
 
 /// Every particle is a cell of its own, of the type VTK_VERTEX; written once, used by all steps.

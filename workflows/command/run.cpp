@@ -69,6 +69,8 @@ std::optional<PastRun> past_of(RunFolder const& folder, Scene& scene, Context co
     return std::nullopt;
   }
   auto stored = read_checkpoint(folder.checkpoint());
+  if (!stored.warning.empty())
+    context.log->warn("warning: {}", stored.warning);
   scene = resumed_scene(scene, stored.scene, stored.inputs, folder.checkpoint());
   return past_run(std::move(stored));
 }

@@ -19,7 +19,7 @@ ProfileSeries::ProfileSeries(Store& store, Scene const& scene, OutputUnits const
                              static_cast<std::size_t>(scene.profile.bins)},
       axis_(scene.profile.axis),
       quantities_(chosen(scene.profile.quantities, profile_quantities(), scene.method.name)), units_(units),
-      boltzmann_(boltzmann), last_step_(last_step(store, group + "/step")) {}
+      boltzmann_(boltzmann), last_step_(workflows::last_step(store, group + "/step")) {}
 
 bool ProfileSeries::shows(std::string const& quantity) const {
   return std::ranges::find(quantities_, quantity) != quantities_.end();

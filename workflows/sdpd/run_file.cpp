@@ -1,12 +1,20 @@
 #include "workflows/sdpd/run_file.hpp"
+#include "md/error.hpp"
+#include "workflows/sdpd/last_step.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
 
+/// The first number of the last row. Throws InputError when the rows are not those of this scene.
 std::int64_t last_step(Store const& store, std::string const& dataset, std::size_t width) {
   if (!store.contains(dataset))
     return -1;
+  auto const shape = store.shape(dataset);
+  if (shape.size() != 2 || shape[1] != width)
+    throw InputError(fmt::format("cannot go on with '{}': '{}' has no rows of {} numbers as this scene makes "
+                                 "them",
+                                 store.file().string(), dataset, width));
   auto const rows = store.read_doubles(dataset);
   return rows.empty() ? -1 : static_cast<std::int64_t>(rows[rows.size() - width]);
 }
@@ -25,7 +33,7 @@ RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sd
                  Provenance const& provenance)
     : RunFile(Store(file, Store::Mode::create, Store::Safety::marked), units, observables) {
   write_provenance(store_, provenance);
-  store_.flush();
+  store_.mark();
 }
 
 RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units,
@@ -34,6 +42,12 @@ RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits co
   run.last_row_ = last_step(run.store_, "thermodynamics", run.columns({}, 0).size());
   run.last_instant_ = last_step(run.store_, "moments", moment_names(observables).size());
   return run;
+}
+
+void RunFile::refuse_gap(std::int64_t last_sample, std::int64_t last_instant) const {
+  workflows::refuse_gap(store_.file(), "thermodynamics", last_row_, last_sample);
+  if (observables_.energies)
+    workflows::refuse_gap(store_.file(), "moments", last_instant_, last_instant);
 }
 
 std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Observables observables,

@@ -25,6 +25,9 @@ class RunFile {
   /// The columns of `thermodynamics`, in their order.
   static std::vector<std::string> column_names(OutputUnits const& units, sdpd::Observables observables);
 
+  /// Throws InputError when the last rows are older than those of these steps (see workflows::refuse_gap).
+  void refuse_gap(std::int64_t last_sample, std::int64_t last_instant) const;
+
   void append(sdpd::Observation const& now, double time);
   void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::uint64_t step);
 
@@ -40,6 +43,8 @@ class RunFile {
 
   /// What is in the file now is safe, whatever happens to the program. Throws EnvironmentError.
   void mark() { store_.mark(); }
+
+  std::filesystem::path const& file() const { return store_.file(); }
 
   /// For further series of the same run.
   Store& store() { return store_; }

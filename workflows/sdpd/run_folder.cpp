@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_folder.hpp"
 #include "md/error.hpp"
+#include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <array>
@@ -52,7 +53,7 @@ void move_into(fs::path const& folder, fs::path const& file) {
 } // namespace
 
 bool RunFolder::has_checkpoint() const {
-  return fs::exists(checkpoint()) || fs::exists(path_ / "checkpoint.previous.h5");
+  return checkpoint_exists(checkpoint());
 }
 
 std::vector<fs::path> RunFolder::results() const {

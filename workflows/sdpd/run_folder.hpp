@@ -21,6 +21,7 @@ class RunFolder {
 
   std::filesystem::path log() const { return path_ / "log.txt"; } ///< for people
 
+  /// The last one, or the one before it.
   bool has_checkpoint() const;
 
   /// All that a run writes and that is there, by name. Parts that serve any run whose scene says the same

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_outputs.hpp"
+#include "workflows/sdpd/last_step.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 
 namespace mesobridge::workflows {
@@ -31,6 +32,18 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
                       ? std::optional<HistogramSeries>(std::in_place, run_file_.store(), scene, units)
                       : std::nullopt),
       trajectories_(scene, folder, provenance, before) {}
+
+void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration, bool same_schedules) const {
+  auto const last = [&](std::int64_t every) { return every > 0 ? equilibration + done - done % every : -1; };
+  run_file_.refuse_gap(last(sample_every_), last(instants_every_));
+  if (!same_schedules)
+    return;
+  if (profiles_)
+    refuse_gap(run_file_.file(), "profile", profiles_->last_step(), last(profile_every_));
+  if (histograms_)
+    refuse_gap(run_file_.file(), "histogram", histograms_->last_step(), last(histogram_every_));
+  trajectories_.refuse_gap(done, equilibration);
+}
 
 std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {
   for (std::int64_t const every : {sample_every_, instants_every_, profile_every_, histogram_every_})

@@ -102,13 +102,13 @@ class Run {
   }
 
   void begin() {
-    std::error_code ignored; // what an earlier run left here is none of this one's
-    std::filesystem::remove(folder_.checkpoint(), ignored);
+    remove_checkpoints(folder_.checkpoint()); // what an earlier run left here is none of this one's
     folder_.write_scene(provenance_.scene);
     open_log(false);
     try {
       equilibrate();
     } catch (PhysicsError const&) {
+      std::error_code ignored;
       if (!folder_.has_checkpoint() && !std::filesystem::exists(folder_.run_file()))
         std::filesystem::remove(folder_.scene(), ignored); // another try is not in its way
       throw;
@@ -134,6 +134,7 @@ class Run {
       return;
     }
     outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, past.frames);
+    outputs_->refuse_gaps(done_, scene_.run.equilibrate, !changed);
     if (changed)
       checkpoint(); // with the new schedules
   }

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/trajectories.hpp"
 #include "md/error.hpp"
+#include "workflows/sdpd/last_step.hpp"
 #include <algorithm>
 #include <array>
 
@@ -66,7 +67,7 @@ H5mdWriter::Units h5md_units(bool si) {
 
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
                            Provenance const& provenance, std::optional<FrameSchedules> const& before)
-    : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
+    : folder_(folder), schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
   auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
              xyz = folder / "trajectory.xyz";
   auto const past = before.value_or(FrameSchedules{});
@@ -82,6 +83,17 @@ Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& fold
     vtkhdf_.emplace(past.vtkhdf > 0 ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)
     xyz_.emplace(past.xyz > 0 ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz));
+}
+
+void Trajectories::refuse_gap(std::int64_t done, std::int64_t equilibration) const {
+  auto check = [&](auto const& writer, char const* name, std::int64_t every) {
+    if (writer)
+      workflows::refuse_gap(folder_ / name, "frames", writer->last_step(),
+                            equilibration + done - done % every);
+  };
+  check(h5md_, "trajectory.h5", schedule_.trajectory_every);
+  check(vtkhdf_, "trajectory.vtkhdf", schedule_.vtkhdf_every);
+  check(xyz_, "trajectory.xyz", schedule_.xyz_every);
 }
 
 std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) const {
@@ -119,6 +131,8 @@ void Trajectories::mark() {
     h5md_->mark();
   if (vtkhdf_)
     vtkhdf_->mark();
+  if (xyz_)
+    xyz_->mark();
 }
 
 void Trajectories::close() {
@@ -126,6 +140,8 @@ void Trajectories::close() {
     h5md_->close();
   if (vtkhdf_)
     vtkhdf_->close();
+  if (xyz_)
+    xyz_->close();
 }
 
 } // namespace mesobridge::workflows

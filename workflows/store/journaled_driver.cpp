@@ -3,40 +3,45 @@
 #include <memory>
 
 // A virtual file driver of HDF5 (its documentation, "HDF5 Virtual File Layer"): everything is done by the
-// ordinary driver, sec2, after the journal has been told.
+// ordinary driver, sec2, after the journal has been told, and nothing after a write that failed.
 
 namespace mesobridge::workflows {
 namespace {
 
 struct Access {
-  std::optional<UndoJournal>* journal;
+  WriteGuard* guard;
 };
 
 /// The open file; HDF5 sees its first member.
 struct File {
   H5FD_t head{};
   H5FD_t* inner = nullptr;
-  std::optional<UndoJournal>* journal = nullptr;
+  WriteGuard* guard = nullptr;
 };
 
 H5FD_t* inner(H5FD_t const* file) {
   return reinterpret_cast<File const*>(file)->inner;
 }
 
-/// Tells the journal, if there is one; a failure becomes one of HDF5, whose message names the cause.
-template <class F>
-bool told(H5FD_t* file, F const& tell) {
-  auto& journal = *reinterpret_cast<File*>(file)->journal;
-  if (!journal)
-    return true;
-  try {
-    tell(*journal);
-    return true;
-  } catch (std::exception const& error) {
-    H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_VFL, H5E_WRITEERROR,
-             "error message = '%s'", error.what());
-    return false;
+/// Tells the journal, if there is one, then changes the file. A failure, and each one after the first,
+/// becomes one of HDF5, whose message names the cause of the first.
+template <class Tell, class Change>
+herr_t guarded(H5FD_t* file, Tell const& tell, Change const& change) {
+  auto& guard = *reinterpret_cast<File*>(file)->guard;
+  if (guard.failure.empty()) {
+    try {
+      if (guard.journal)
+        tell(*guard.journal);
+      if (change() >= 0)
+        return 0;
+      guard.failure = hdf5_cause();
+    } catch (std::exception const& error) {
+      guard.failure = error.what();
+    }
   }
+  H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_VFL, H5E_WRITEERROR,
+           "error message = '%s'", guard.failure.c_str());
+  return -1;
 }
 
 H5FD_t* open(char const* name, unsigned flags, hid_t access, haddr_t max_address) {
@@ -45,7 +50,7 @@ H5FD_t* open(char const* name, unsigned flags, hid_t access, haddr_t max_address
   if (!info || H5Pset_fapl_sec2(plain.get()) < 0)
     return nullptr;
   auto file = std::make_unique<File>();
-  file->journal = info->journal;
+  file->guard = info->guard;
   file->inner = H5FDopen(name, flags, plain.get(), max_address);
   return file->inner ? &file.release()->head : nullptr;
 }
@@ -64,21 +69,21 @@ herr_t query(H5FD_t const*, unsigned long* flags) {
 
 herr_t write(H5FD_t* file, H5FD_mem_t type, hid_t transfer, haddr_t address, std::size_t size,
              void const* data) {
-  if (!told(file, [&](UndoJournal& journal) { journal.protect(address, size); }))
-    return -1;
-  return H5FDwrite(inner(file), type, transfer, address, size, data);
+  return guarded(
+      file, [&](UndoJournal& journal) { journal.protect(address, size); },
+      [&] { return H5FDwrite(inner(file), type, transfer, address, size, data); });
 }
 
 herr_t truncate(H5FD_t* file, hid_t transfer, hbool_t closing) {
   auto const end = H5FDget_eoa(inner(file), H5FD_MEM_DEFAULT);
-  if (!told(file, [&](UndoJournal& journal) { journal.protect_beyond(end); }))
-    return -1;
-  return H5FDtruncate(inner(file), transfer, closing);
+  return guarded(
+      file, [&](UndoJournal& journal) { journal.protect_beyond(end); },
+      [&] { return H5FDtruncate(inner(file), transfer, closing); });
 }
 
 H5FD_class_t driver_class() {
   constexpr haddr_t largest_file = (haddr_t{1} << 63) - 1;
-  return {.name = "mesobridge_journaled",
+  return {.name = "mesobridge_guarded",
           .maxaddr = largest_file,
           .fc_degree = H5F_CLOSE_WEAK,
           .fapl_size = sizeof(Access),
@@ -103,13 +108,13 @@ H5FD_class_t driver_class() {
 
 } // namespace
 
-Hdf5Handle journaled_access(std::optional<UndoJournal>& journal) {
+Hdf5Handle guarded_access(WriteGuard& guard) {
   static hid_t const driver = [] {
     auto const description = driver_class();
     return H5FDregister(&description);
   }();
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  Access const info{&journal};
+  Access const info{&guard};
   if (H5Pset_driver(access.get(), driver, &info) < 0)
     access.close();
   return access;

@@ -1,5 +1,7 @@
 #include "workflows/store/file_lock.hpp"
+#include "workflows/store/seal.hpp"
 #include "workflows/store/store_implementation.hpp"
+#include <fcntl.h>
 
 namespace mesobridge::workflows {
 
@@ -17,20 +19,20 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
       wait_for_others(FileLock::Kind::exclusive);
     UndoJournal::discard(self.file); // of a file of that name that is no more
     self.handle = self.check(
-        {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, self.access().get()), H5Fclose}, "create");
+        {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, self.access(mode).get()), H5Fclose}, "create");
     return;
   }
   if (!std::filesystem::exists(self.file))
     throw InputError(fmt::format("cannot read '{}': No such file or directory", name));
   if (mode == Mode::append && safety == Safety::marked)
-    mend(self.file);
+    self.begin_journal();
   else
     wait_for_others(mode == Mode::read ? FileLock::Kind::shared : FileLock::Kind::exclusive);
   if (H5Fis_hdf5(name.c_str()) <= 0)
     throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
   auto const flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
   if (mode == Mode::read && UndoJournal::exists(self.file)) {
-    self.handle = {H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose};
+    self.handle = {H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose};
     if (!self.handle.valid())
       throw InputError(
           fmt::format("cannot read '{}': the run that wrote it was broken off; go on with --resume, "
@@ -38,9 +40,8 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
                       name));
     return;
   }
-  self.handle = self.opened({H5Fopen(name.c_str(), flags, self.access().get()), H5Fclose}, "cannot open");
-  if (mode == Mode::append && safety == Safety::marked)
-    mark();
+  self.handle =
+      self.opened({H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose}, "cannot open");
 }
 
 Store::Store(Store&&) noexcept = default;
@@ -111,6 +112,7 @@ void Store::link(std::string const& existing, std::string const& path) {
 
 void Store::flush() {
   implementation_->check(H5Fflush(implementation_->handle.get(), H5F_SCOPE_GLOBAL), "write");
+  implementation_->check_writes("write");
 }
 
 void Store::mark() {
@@ -118,7 +120,15 @@ void Store::mark() {
   auto& self = *implementation_;
   if (self.safety != Safety::marked)
     throw std::logic_error(fmt::format("'{}' was not opened to be marked", self.file.string()));
-  self.journal.emplace(self.file);
+  try {
+    if (self.guard.journal)
+      self.guard.journal->renew();
+    else
+      self.guard.journal.emplace(self.file);
+  } catch (std::exception const& error) {
+    self.guard.failure = error.what(); // which journal is in force is not known: nothing may change any more
+    throw;
+  }
 }
 
 void Store::mend(std::filesystem::path const& file) {
@@ -127,17 +137,43 @@ void Store::mend(std::filesystem::path const& file) {
 
 void Store::mend(std::filesystem::path const& file, double patience) {
   FileLock const lock(file, FileLock::Kind::exclusive, patience);
+  if (!UndoJournal::exists(file))
+    return;
   UndoJournal::roll_back(file);
+  seal(file); // it is as if its writer had closed it
   UndoJournal::discard(file);
+}
+
+/// For a file that is to go on: from its last mark, or from its end, when it was closed.
+void Store::Implementation::begin_journal() {
+  {
+    FileLock const held_for_a_moment(file, FileLock::Kind::exclusive);
+    UndoJournal::roll_back(file);
+  }
+  if (UndoJournal::exists(file)) {
+    guard.journal.emplace(file);
+    return;
+  }
+  auto const length = sealed_length(file);
+  if (!length)
+    throw InputError(
+        fmt::format("cannot go on with '{}': it is damaged, or its writer ended before its first "
+                    "mark, or was another version of this program",
+                    file.string()));
+  guard.journal.emplace(file, *length);
+  cut(Descriptor(file, O_WRONLY), *length, file); // the seal
 }
 
 void Store::close() {
   flush();
   auto& self = *implementation_;
   self.check(self.handle.close(), "close");
-  self.journal.reset();
-  if (self.safety == Safety::marked)
+  self.check_writes("close");
+  self.guard.journal.reset();
+  if (self.safety == Safety::marked) {
+    seal(self.file);
     UndoJournal::discard(self.file);
+  }
 }
 
 std::size_t Store::chunk_rows(std::size_t row_bytes) {

@@ -68,16 +68,23 @@ class Store::Implementation {
  public:
   std::filesystem::path file;
   Safety safety = Safety::plain;
-  std::optional<UndoJournal> journal; ///< outlives the handle, whose driver writes to it
+  WriteGuard guard; ///< outlives the handle, whose driver writes through it
   Hdf5Handle handle;
 
-  Hdf5Handle access() {
-    return safety == Safety::marked ? check(journaled_access(journal), "open")
-                                    : Hdf5Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  Hdf5Handle access(Mode mode) {
+    return mode == Mode::read ? Hdf5Handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose)
+                              : check(guarded_access(guard), "open");
   }
 
   [[noreturn]] void fail(std::string const& what) const {
-    throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(), hdf5_cause()));
+    throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(),
+                                       guard.failure.empty() ? hdf5_cause() : guard.failure));
+  }
+
+  /// Throws when a write failed, even if HDF5 forgot it.
+  void check_writes(std::string const& what) const {
+    if (!guard.failure.empty())
+      fail(what);
   }
 
   void check(herr_t status, std::string const& what) const {
@@ -90,6 +97,8 @@ class Store::Implementation {
       fail(what);
     return result;
   }
+
+  void begin_journal();
 
   bool contains(std::string const& path) const {
     // H5Lexists wants every group on the way to exist.

@@ -2,140 +2,185 @@
 #include "md/error.hpp"
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
+#include <cstddef>
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <map>
 #include <utility>
 
 namespace mesobridge::workflows {
 namespace {
 
-constexpr std::size_t page_size = 4096;
+constexpr std::uint64_t page_size = PageDigest::page_size;
 
 /// What a journal begins with.
 struct Header {
-  std::array<char, 8> name{'u', 'n', 'd', 'o', ' ', 'v', '1', '\n'};
-  std::uint64_t length = 0; ///< of the file
+  std::array<char, 8> name{'u', 'n', 'd', 'o', ' ', 'v', '2', '\n'};
+  std::uint64_t length = 0, digest = 0; ///< of the file
+  std::uint64_t crc = 0;                ///< of what stands above
+  std::uint64_t own_crc() const { return PageDigest::crc(bytes_of(*this).first(offsetof(Header, crc))); }
 };
 
 /// A page as it was. A record that is not complete belongs to a page that was not touched yet.
 struct Record {
-  std::uint64_t page = 0;
+  std::uint64_t number = 0, page = 0; ///< the number counts the journal's records
   std::array<char, page_size> bytes{};
+  std::uint64_t crc = 0; ///< of what stands above
+  std::uint64_t own_crc() const { return PageDigest::crc(bytes_of(*this).first(offsetof(Record, crc))); }
 };
 
 std::filesystem::path journal_of(std::filesystem::path const& file) {
   return std::filesystem::path(file).concat(".undo");
 }
 
-[[noreturn]] void fail(char const* what, std::filesystem::path const& file) {
-  throw EnvironmentError(fmt::format("cannot {} '{}': {}", what, file.string(), std::strerror(errno)));
+std::uint64_t offset_of_record(std::uint64_t number) {
+  return sizeof(Header) + number * sizeof(Record);
 }
 
-/// A file descriptor that closes itself.
-class Descriptor {
+std::uint64_t length_of(std::filesystem::path const& file) {
+  return length_of(Descriptor(file, O_RDONLY), file);
+}
+
+/// A journal that is to be followed.
+class Records {
  public:
-  Descriptor(std::filesystem::path const& file, int flags)
-      : id_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (id_ < 0)
-      fail("open", file);
+  explicit Records(std::filesystem::path const& file) : path_(journal_of(file)), journal_(path_, O_RDONLY) {
+    auto const got = read_some(journal_, bytes_of(header_), 0, path_);
+    if (got != sizeof header_ || header_.name != Header().name || header_.crc != header_.own_crc())
+      throw EnvironmentError(
+          fmt::format("'{}' is damaged, or no journal of this version of the program: '{}' "
+                      "cannot be led back to where it was whole",
+                      path_.string(), file.string()));
+    std::uint64_t const count = (length_of(journal_, path_) - sizeof header_) / sizeof(Record);
+    std::uint64_t const pages = header_.length / page_size + (header_.length % page_size > 0);
+    for (std::uint64_t number = 0; number < count; ++number)
+      if (auto const record = read(number);
+          record.number == number && record.crc == record.own_crc() && record.page < pages)
+        place_.emplace(record.page, number);
   }
-  Descriptor(Descriptor const&) = delete;
-  Descriptor& operator=(Descriptor const&) = delete;
-  ~Descriptor() {
-    if (id_ >= 0)
-      close(id_);
+
+  std::uint64_t length() const { return header_.length; }
+
+  /// Whether the file, with its pages undone, is what it was.
+  bool lead_back(Descriptor const& target, std::filesystem::path const& file) const {
+    auto const pages = length_of(target, file) / page_size + 1 + place_.size();
+    if (header_.length > pages * page_size)
+      return false;
+    PageDigest digest;
+    digest.take(target, header_.length, file);
+    for (auto const& [page, number] : place_)
+      digest.take(page, read(number).bytes);
+    return digest.value() == header_.digest;
   }
-  int get() const { return id_; }
-  int release() { return std::exchange(id_, -1); }
+
+  void undo(Descriptor const& target, std::filesystem::path const& file) const {
+    for (auto const& [page, number] : place_) {
+      auto const record = read(number);
+      std::uint64_t const offset = page * page_size, size = std::min(page_size, header_.length - offset);
+      write_all(target, std::span(record.bytes).first(size), offset, file);
+    }
+    cut(target, header_.length, file);
+    sync(target, file);
+  }
 
  private:
-  int id_;
+  Record read(std::uint64_t number) const {
+    Record record;
+    read_some(journal_, bytes_of(record), offset_of_record(number), path_);
+    return record;
+  }
+
+  std::filesystem::path path_;
+  Descriptor journal_;
+  Header header_;
+  std::map<std::uint64_t, std::uint64_t> place_; ///< of a page's record
 };
-
-void write_all(int descriptor, void const* data, std::size_t size, std::filesystem::path const& file) {
-  auto const* bytes = static_cast<char const*>(data);
-  while (size > 0) {
-    auto const written = write(descriptor, bytes, size);
-    if (written < 0 && errno != EINTR)
-      fail("write", file);
-    if (written > 0)
-      bytes += written, size -= static_cast<std::size_t>(written);
-  }
-}
-
-/// False at the end of the file, and where only a part is there.
-bool read_whole(int descriptor, void* data, std::size_t size, std::filesystem::path const& file) {
-  auto* bytes = static_cast<char*>(data);
-  while (size > 0) {
-    auto const got = read(descriptor, bytes, size);
-    if (got < 0 && errno != EINTR)
-      fail("read", file);
-    if (got == 0)
-      return false;
-    if (got > 0)
-      bytes += got, size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-void write_at(int descriptor, char const* bytes, std::size_t size, std::uint64_t offset,
-              std::filesystem::path const& file) {
-  while (size > 0) {
-    auto const written = pwrite(descriptor, bytes, size, static_cast<off_t>(offset));
-    if (written < 0 && errno != EINTR)
-      fail("write", file);
-    if (written > 0)
-      bytes += written, size -= static_cast<std::size_t>(written),
-          offset += static_cast<std::uint64_t>(written);
-  }
-}
 
 } // namespace
 
-UndoJournal::UndoJournal(std::filesystem::path file) : file_(std::move(file)) {
-  Descriptor source(file_, O_RDONLY);
-  struct stat status {};
-  if (fstat(source.get(), &status) != 0)
-    fail("read", file_);
-  length_ = static_cast<std::uint64_t>(status.st_size);
-  auto const fresh = journal_of(file_).concat(".new");
-  Descriptor journal(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
-  Header const header{.length = length_};
-  write_all(journal.get(), &header, sizeof header, fresh);
-  std::error_code error;
-  std::filesystem::rename(fresh, journal_of(file_),
-                          error); // from here on the new state is the one to go back to
-  if (error)
-    throw EnvironmentError(fmt::format("cannot write '{}': {}", journal_of(file_).string(), error.message()));
-  source_ = source.release(), journal_ = journal.release();
+UndoJournal::UndoJournal(std::filesystem::path file, std::uint64_t length)
+    : file_(std::move(file)), source_(file_, O_RDONLY) {
+  digest_.take(source_, length, file_);
+  begin({});
 }
 
-UndoJournal::~UndoJournal() {
-  close(source_);
-  close(journal_);
+UndoJournal::UndoJournal(std::filesystem::path file) : UndoJournal(file, length_of(file)) {}
+
+void UndoJournal::begin(std::unordered_set<std::uint64_t> const& pages) {
+  sync(source_, file_);
+  auto const path = journal_of(file_), fresh = std::filesystem::path(path).concat(".new");
+  Descriptor journal(fresh, O_WRONLY | O_CREAT | O_TRUNC);
+  Header header{.length = digest_.length(), .digest = digest_.value()};
+  header.crc = header.own_crc();
+  write_all(journal, bytes_of(header), fresh);
+  save(pages, journal, 0);
+  sync(journal, fresh);
+  replace(fresh, path);
+  journal_ = std::move(journal);
+  saved_ = pages;
+  changing_.clear(), appended_.clear();
+}
+
+void UndoJournal::renew() {
+  if (failed_)
+    throw EnvironmentError(fmt::format("cannot write '{}': an earlier write failed", file_.string()));
+  failed_ = true; // until all of it is done
+  auto const before = digest_.length(), now = length_of(source_, file_);
+  digest_.take(source_, now, before / page_size, now / page_size + 1, file_);
+  std::unordered_set<std::uint64_t> likely;
+  for (auto const page : changing_)
+    if (page * page_size < now) {
+      digest_.take(source_, now, page, page + 1, file_);
+      likely.insert(page);
+    }
+  begin(likely);
+  failed_ = false;
+}
+
+void UndoJournal::save(std::unordered_set<std::uint64_t> const& pages, Descriptor const& journal,
+                       std::uint64_t first_record) const {
+  constexpr std::size_t at_once = 64;
+  std::vector<Record> records;
+  records.reserve(std::min(at_once, pages.size()));
+  auto const write = [&] {
+    auto const* bytes = reinterpret_cast<char const*>(records.data());
+    write_all(journal, {bytes, records.size() * sizeof(Record)}, offset_of_record(first_record),
+              journal_of(file_));
+    first_record += records.size();
+    records.clear();
+  };
+  for (auto const page : pages) {
+    auto& record = records.emplace_back(Record{.number = first_record + records.size(), .page = page});
+    read_some(source_, record.bytes, page * page_size, file_); // the rest of a short last page is 0
+    record.crc = record.own_crc();
+    if (records.size() == at_once)
+      write();
+  }
+  write();
 }
 
 void UndoJournal::protect(std::uint64_t offset, std::uint64_t size) {
-  std::uint64_t const end = std::min(offset + size, length_);
-  for (std::uint64_t page = offset / page_size; page * page_size < end; ++page) {
-    if (!saved_.insert(page).second)
-      continue;
-    Record record{.page = page};
-    auto const got = pread(source_, record.bytes.data(), page_size,
-                           static_cast<off_t>(page * page_size)); // short at the end
-    if (got < 0)
-      fail("read", file_);
-    write_all(journal_, &record, sizeof record, journal_of(file_));
+  if (failed_)
+    throw EnvironmentError(fmt::format("cannot write '{}': an earlier write failed", file_.string()));
+  std::unordered_set<std::uint64_t> fresh;
+  for (std::uint64_t page = offset / page_size; page * page_size < offset + size; ++page) {
+    bool const was_there = page * page_size < digest_.length();
+    if (was_there || !appended_.insert(page).second)
+      changing_.insert(page);
+    if (was_there && !saved_.contains(page))
+      fresh.insert(page);
   }
+  if (fresh.empty())
+    return;
+  failed_ = true; // until all of it is done
+  save(fresh, journal_, saved_.size());
+  sync(journal_, journal_of(file_));
+  saved_.merge(fresh);
+  failed_ = false;
 }
 
 void UndoJournal::protect_beyond(std::uint64_t length) {
-  if (length < length_)
-    protect(length, length_ - length);
+  if (length < digest_.length())
+    protect(length, digest_.length() - length);
 }
 
 bool UndoJournal::exists(std::filesystem::path const& file) {
@@ -145,25 +190,24 @@ bool UndoJournal::exists(std::filesystem::path const& file) {
 void UndoJournal::roll_back(std::filesystem::path const& file) {
   if (!exists(file))
     return;
-  auto const path = journal_of(file);
-  Descriptor const journal(path, O_RDONLY), target(file, O_WRONLY);
-  Header header;
-  if (!read_whole(journal.get(), &header, sizeof header, path) || header.name != Header().name)
-    throw EnvironmentError(fmt::format("'{}' is no journal of this program", path.string()));
-  for (Record record; read_whole(journal.get(), &record, sizeof record, path);) {
-    std::uint64_t const offset = record.page * page_size;
-    write_at(target.get(), record.bytes.data(), std::min<std::uint64_t>(page_size, header.length - offset),
-             offset, file);
-  }
-  if (ftruncate(target.get(), static_cast<off_t>(header.length)) != 0)
-    fail("shorten", file);
+  Records const records(file);
+  Descriptor const target(file, O_RDWR);
+  if (!records.lead_back(target, file))
+    throw EnvironmentError(
+        fmt::format("'{}' or its journal '{}' is damaged: with what is there it cannot be led back to where "
+                    "it was whole",
+                    file.string(), journal_of(file).string()));
+  records.undo(target, file);
 }
 
 void UndoJournal::discard(std::filesystem::path const& file) {
   std::error_code error;
   std::filesystem::remove(journal_of(file), error);
+  if (!error)
+    std::filesystem::remove(journal_of(file).concat(".new"), error);
   if (error)
     throw EnvironmentError(fmt::format("cannot remove '{}': {}", journal_of(file).string(), error.message()));
+  sync_directory_of(file);
 }
 
 } // namespace mesobridge::workflows

@@ -47,7 +47,7 @@ class Holder {
 
 std::filesystem::path small_store(ScratchDirectory const& scratch) {
   auto const file = scratch / "a.h5";
-  Store store(file, Store::Mode::create);
+  Store store(file, Store::Mode::create, Store::Safety::marked);
   store.write("numbers", std::vector<double>{1, 2});
   store.close();
   return file;

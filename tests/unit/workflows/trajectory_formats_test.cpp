@@ -68,6 +68,7 @@ TEST(VtkHdf, EveryStepIsFoundByTheOffsetsOfTheFormat) {
     VtkHdfWriter writer(file, {});
     writer.append(frame(0));
     writer.append(frame(1));
+    writer.close();
   }
   {
     auto writer = VtkHdfWriter::continue_file(file);
@@ -141,6 +142,7 @@ TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {
     auto writer = ExtendedXyzWriter::continue_file(file);
     for (auto next = writer.last_step() / 10 + 1; next < 3; ++next, ++cuts)
       writer.append(frame(next));
+    writer.close();
     EXPECT_EQ(read_text_file(file), text) << lost;
   }
   EXPECT_GE(cuts, 5u);

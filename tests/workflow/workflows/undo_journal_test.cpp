@@ -48,7 +48,7 @@ TEST(UndoJournal, LeadsBackToWhereItBegan) {
   }
   EXPECT_NE(read_text_file(file), original);
   // Each page once, and the header.
-  EXPECT_EQ(std::filesystem::file_size(file.string() + ".undo"), 16u + 3u * (8u + 4096u));
+  EXPECT_EQ(std::filesystem::file_size(file.string() + ".undo"), 32u + 3u * (24u + 4096u));
   auto const journal = read_text_file(file.string() + ".undo");
   UndoJournal::roll_back(file);
   EXPECT_EQ(read_text_file(file), original);
@@ -64,7 +64,7 @@ TEST(UndoJournal, LeadsBackToWhereItBegan) {
   // A record that is not complete is of a page that was not touched yet.
   write_text_file(file, original);
   overwrite(file, 10, "first", *std::make_unique<UndoJournal>(file));
-  write_text_file(file.string() + ".undo", read_text_file(file.string() + ".undo") + journal.substr(16, 100));
+  write_text_file(file.string() + ".undo", read_text_file(file.string() + ".undo") + journal.substr(32, 100));
   UndoJournal::roll_back(file);
   EXPECT_EQ(read_text_file(file), original);
 
@@ -73,6 +73,60 @@ TEST(UndoJournal, LeadsBackToWhereItBegan) {
   UndoJournal::discard(file);
   EXPECT_FALSE(UndoJournal::exists(file));
   EXPECT_THROW(UndoJournal(scratch / "missing"), EnvironmentError);
+}
+
+TEST(UndoJournal, LeavesAFileAloneThatItCannotLeadBack) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "f", path = scratch / "f.undo";
+  std::string const original(20000, 'o');
+  write_text_file(file, original);
+  {
+    UndoJournal journal(file);
+    overwrite(file, 10, "first", journal);
+    overwrite(file, 9000, "second", journal);
+  }
+  auto const changed = read_text_file(file), journal = read_text_file(path);
+  ASSERT_EQ(journal.size(), 32u + 2u * (24u + 4096u));
+  int damaged = 0;
+  for (std::size_t place = 0; place < journal.size(); place += place < 60 ? 1 : 97, ++damaged) {
+    auto bytes = journal;
+    bytes[place] = static_cast<char>(bytes[place] ^ 16);
+    write_text_file(path, bytes);
+    EXPECT_THROW(UndoJournal::roll_back(file), EnvironmentError) << place;
+    ASSERT_EQ(read_text_file(file), changed) << place;
+  }
+  EXPECT_GT(damaged, 100);
+  write_text_file(path, journal);
+  for (std::size_t const place : {3000u, 15000u}) { // in a page that is restored, and in one that is not
+    auto bytes = changed;
+    bytes[place] = 'x';
+    write_text_file(file, bytes);
+    if (place == 3000)
+      EXPECT_NO_THROW(UndoJournal::roll_back(file));
+    else
+      EXPECT_THROW(UndoJournal::roll_back(file), EnvironmentError);
+    EXPECT_EQ(read_text_file(file), place == 3000 ? original : bytes);
+  }
+}
+
+TEST(UndoJournal, BeginsAnewWithThePagesThatChanged) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "f";
+  write_text_file(file, std::string(20480, 'o')); // five pages
+  UndoJournal journal(file);
+  overwrite(file, 10, "first", journal);
+  overwrite(file, 20480, std::string(5000, 'a'), journal);
+  overwrite(file, 20500, "twice", journal);
+  journal.renew();
+  auto const second = read_text_file(file);
+  // What was there and changed, and what was added and changed since.
+  EXPECT_EQ(std::filesystem::file_size(scratch / "f.undo"), 32u + 2u * (24u + 4096u));
+  overwrite(file, 10, "again", journal);
+  overwrite(file, 24600, "there", journal);
+  UndoJournal::roll_back(file);
+  EXPECT_EQ(read_text_file(file), second);
+  UndoJournal(file).renew(); // no page changed under this one
+  EXPECT_EQ(std::filesystem::file_size(scratch / "f.undo"), 32u);
 }
 
 constexpr std::size_t particles = 10;
@@ -174,8 +228,8 @@ struct Blobs {
   static BlobWriter resume(std::filesystem::path const& file) {
     return BlobWriter(BlobFile::continue_file(file, "f"));
   }
-  static constexpr std::array datasets{"blobs/R",     "blobs/P",     "blobs/F",   "blobs/U_kin",
-                                       "blobs/U_pot", "blobs/Phi",   "frames/time", "frames/box",
+  static constexpr std::array datasets{"blobs/R",       "blobs/P",        "blobs/F",     "blobs/U_kin",
+                                       "blobs/U_pot",   "blobs/Phi",      "frames/time", "frames/box",
                                        "frames/energy", "frames/pressure"};
   static constexpr std::array steps{"frames/step"};
 };
