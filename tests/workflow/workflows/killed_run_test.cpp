@@ -49,15 +49,14 @@ std::vector<std::vector<double>> datasets(std::filesystem::path const& file,
   return result;
 }
 
-TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
+void kill_and_compare(int wanted, unsigned seed) {
   ScratchDirectory const scratch;
   auto const unbroken = scratch / "unbroken", broken = scratch / "broken";
   auto const whole = run_process(words(unbroken, false));
   ASSERT_EQ(whole.status, 0) << whole.errors;
-  std::mt19937 generator(20);
+  std::mt19937 generator(seed);
   std::uniform_int_distribution<int> delay(1000, 150000); // us
   int kills = 0, ends = 0;
-  constexpr int wanted = 20;
   for (int attempt = 0; kills < wanted && attempt < 3 * wanted; ++attempt) {
     int const signal = attempt % 2 == 0 ? SIGKILL : SIGTERM;
     bool const begun = std::filesystem::exists(broken / "scene.toml");
@@ -99,6 +98,15 @@ TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
   EXPECT_EQ(read_text_file(unbroken / "trajectory.xyz"), read_text_file(broken / "trajectory.xyz"));
   EXPECT_EQ(read_text_file(unbroken / "summary.json"), read_text_file(broken / "summary.json"));
   EXPECT_EQ(read_text_file(unbroken / "scene.toml"), read_text_file(broken / "scene.toml"));
+}
+
+TEST(KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
+  kill_and_compare(20, 20);
+}
+
+TEST(Long_KilledRun, EndsWithTheBitsOfAnUnbrokenOne) {
+  for (int run = 0; run < 5; ++run)
+    kill_and_compare(20, 100 + static_cast<unsigned>(run));
 }
 
 TEST(KilledRun, OfIsolatedStarsEndsWithTheBitsOfAnUnbrokenOne) {
