@@ -38,7 +38,7 @@ Scene base(double K, double dt, std::int64_t seed) {
 /// A kernel without pairing, and densities whose constants make the fluid's pressure and mean density those
 /// of its equation of state.
 void calibrate_densities(Scene& scene, std::int64_t steps) {
-  scene.particles.kernel = "wendland-c2";
+  scene.particles.kernel = "wendland-c4";
   scene.particles.density = "calibrated";
   scene.particles.calibration_steps = steps;
 }

@@ -161,7 +161,7 @@ Section fit_section(ChainResults const& results) {
 Section fluid_section(ChainResults const& results) {
   return {
       "SDPD of the Lennard-Jones fluid, by size",
-      {Paragraph{"1000 particles at 1000 K and 1150 kg/m³, eta = 2e-3 Pa·s, kernel Wendland C2 with h = "
+      {Paragraph{"1000 particles at 1000 K and 1150 kg/m³, eta = 2e-3 Pa·s, kernel Wendland C4 with h = "
                  "2.5 mean spacings, which does not let particles pair, from a disordered lattice. The "
                  "equilibration takes out the difference between the mean temperature and the set one; the "
                  "sampled part is microcanonical."},

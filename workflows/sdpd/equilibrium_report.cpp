@@ -69,24 +69,11 @@ Table pair_fluid_numbers(RunResult const& run, OutputUnits const& units) {
   return table;
 }
 
-/// What the summary says against the run: its keys `warnings` and `findings`, texts or objects with one.
-std::vector<std::string> warnings_of(Json const& summary) {
-  std::vector<std::string> warnings;
-  for (char const* const key : {"warnings", "findings"}) {
-    if (!summary.contains(key))
-      continue;
-    for (auto const& entry : summary[key]) {
-      if (entry.is_string())
-        warnings.push_back(entry.get<std::string>());
-      else
-        for (char const* const name : {"message", "text", "what"})
-          if (entry.is_object() && entry.contains(name) && entry[name].is_string()) {
-            warnings.push_back(entry[name].get<std::string>());
-            break;
-          }
-    }
-  }
-  return warnings;
+std::vector<std::string> texts_of(std::vector<sdpd::Finding> const& findings) {
+  std::vector<std::string> texts;
+  for (auto const& finding : findings)
+    texts.push_back(finding.text);
+  return texts;
 }
 
 Figure drawn(std::vector<Plot> const& plots, std::string caption) {
@@ -192,7 +179,7 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .verdicts = {},
                 .sections = {},
                 .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}},
-                .warnings = warnings_of(run.summary),
+                .warnings = texts_of(run.findings),
                 .sources = sources_of(run)};
   report.sections.push_back(
       {"Results", {run.settings.pair_fluid ? pair_fluid_numbers(run, units) : numbers(run, units)}});

@@ -37,10 +37,6 @@ std::string run_text(RunResult const& result) {
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",
                  "of the total energy, relative");
   }
-  if (auto const warnings = result.summary.find("warnings"); warnings != result.summary.end())
-    for (auto const& warning : *warnings)
-      if (warning.is_string())
-        text += "warning: " + warning.get<std::string>() + "\n";
   return text;
 }
 
