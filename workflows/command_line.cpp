@@ -240,7 +240,6 @@ Failure describe(std::exception_ptr error) {
 }
 
 int run_command_line(std::vector<std::string> const& arguments, std::vector<Command> const& commands) {
-  std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of a write like a full disk
   try {
     run(arguments, commands);
     return done;

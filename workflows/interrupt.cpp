@@ -70,7 +70,7 @@ void catch_interrupts() {
 }
 
 void survive_failing_streams() {
-  for (int const signal : {SIGPIPE, SIGXFSZ})
+  for (int const signal : {SIGPIPE, SIGXFSZ}) // the write that fails says why
     std::signal(signal, SIG_IGN);
   for (int const descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     while (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) >= 0) {

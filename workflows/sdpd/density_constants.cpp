@@ -53,6 +53,7 @@ sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::functio
 std::string calibration_identity(Scene const& scene) {
   Scene calibrated = scene;
   calibrated.title.clear();
+  calibrated.particles.calibration_steps = calibration_steps(scene);
   calibrated.run = {
       .seed = scene.run.seed, .thermostat = scene.run.thermostat, .bath_rate = scene.run.bath_rate};
   calibrated.profile = {}, calibrated.histogram = {}, calibrated.output = {};

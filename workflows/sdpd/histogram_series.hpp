@@ -14,7 +14,6 @@ class HistogramSeries {
   /// Goes on after the rows that the file holds. The store must outlive the series.
   HistogramSeries(Store& store, Scene const& scene, OutputUnits const& units);
 
-  std::int64_t last_step() const { return last_step_; } ///< -1 if there is none
 
   /// `time` is in the scene's units. The rows are flushed. Throws PhysicsError when all particles are alike
   /// at the first histogram: bins would have no width.

@@ -14,7 +14,6 @@ class ProfileSeries {
   /// Goes on after the rows that the file holds. The store must outlive the series.
   ProfileSeries(Store& store, Scene const& scene, OutputUnits const& units, double boltzmann);
 
-  std::int64_t last_step() const { return last_step_; } ///< -1 if there is none
 
   bool shows(std::string const& quantity) const;
 

@@ -1,5 +1,4 @@
 #include "workflows/sdpd/run_outputs.hpp"
-#include "workflows/sdpd/last_step.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 
 namespace mesobridge::workflows {
@@ -33,16 +32,9 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
                       : std::nullopt),
       trajectories_(scene, folder, provenance, before) {}
 
-void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration, bool same_schedules) const {
-  auto const last = [&](std::int64_t every) { return every > 0 ? equilibration + done - done % every : -1; };
+void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) const {
+  auto const last = [&](std::int64_t every) { return equilibration + done - done % every; };
   run_file_.refuse_gap(last(sample_every_), last(instants_every_));
-  if (!same_schedules)
-    return;
-  if (profiles_)
-    refuse_gap(run_file_.file(), "profile", profiles_->last_step(), last(profile_every_));
-  if (histograms_)
-    refuse_gap(run_file_.file(), "histogram", histograms_->last_step(), last(histogram_every_));
-  trajectories_.refuse_gap(done, equilibration);
 }
 
 std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {

@@ -17,10 +17,10 @@ class RunOutputs {
              std::filesystem::path const& folder, Provenance const& provenance,
              std::optional<FrameSchedules> const& before);
 
-  /// Files of a folder that was copied while a run wrote there may be older than its checkpoint, which is
-  /// that of `done` sampled steps: throws InputError when one lacks what was due until then. Series whose
-  /// schedules have changed at this resumption are not asked.
-  void refuse_gaps(std::int64_t done, std::int64_t equilibration, bool same_schedules) const;
+  /// The run file of a folder that was copied while a run wrote there may be older than its checkpoint, which
+  /// is that of `done` sampled steps: throws InputError when samples or instants are missing that were due
+  /// until then. (Other series may have begun later or with another schedule.)
+  void refuse_gaps(std::int64_t done, std::int64_t equilibration) const;
 
   /// From this sampled step to the next that any of them wants, at most `steps`.
   std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;

@@ -1,6 +1,5 @@
 #include "workflows/sdpd/trajectories.hpp"
 #include "md/error.hpp"
-#include "workflows/sdpd/last_step.hpp"
 #include <algorithm>
 #include <array>
 
@@ -41,7 +40,9 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
 /// run left it; one that is written again, after a part of the run without it, keeps its old frames under
 /// another name.
 void make_way(std::filesystem::path const& file, std::int64_t every, std::int64_t before) {
-  if (every == 0 && before > 0 && file.extension() != ".xyz")
+  if (every == 0 && before > 0 && file.extension() == ".xyz")
+    ExtendedXyzWriter::continue_file(file).close();
+  else if (every == 0 && before > 0)
     Store::mend(file);
   if (every == 0 || before > 0 || !std::filesystem::exists(file))
     return;
@@ -67,7 +68,7 @@ H5mdWriter::Units h5md_units(bool si) {
 
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
                            Provenance const& provenance, std::optional<FrameSchedules> const& before)
-    : folder_(folder), schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
+    : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
   auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
              xyz = folder / "trajectory.xyz";
   auto const past = before.value_or(FrameSchedules{});
@@ -83,17 +84,6 @@ Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& fold
     vtkhdf_.emplace(past.vtkhdf > 0 ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)
     xyz_.emplace(past.xyz > 0 ? ExtendedXyzWriter::continue_file(xyz) : ExtendedXyzWriter(xyz));
-}
-
-void Trajectories::refuse_gap(std::int64_t done, std::int64_t equilibration) const {
-  auto check = [&](auto const& writer, char const* name, std::int64_t every) {
-    if (writer)
-      workflows::refuse_gap(folder_ / name, "frames", writer->last_step(),
-                            equilibration + done - done % every);
-  };
-  check(h5md_, "trajectory.h5", schedule_.trajectory_every);
-  check(vtkhdf_, "trajectory.vtkhdf", schedule_.vtkhdf_every);
-  check(xyz_, "trajectory.xyz", schedule_.xyz_every);
 }
 
 std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) const {

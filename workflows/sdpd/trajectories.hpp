@@ -24,10 +24,6 @@ class Trajectories {
   Trajectories(Scene const& scene, std::filesystem::path const& folder, Provenance const& provenance,
                std::optional<FrameSchedules> const& before);
 
-  /// Throws InputError when a file lacks frames of the first `done` sampled steps (see
-  /// workflows::refuse_gap).
-  void refuse_gap(std::int64_t done, std::int64_t equilibration) const;
-
   /// From this sampled step to that of the next frame of any of them, at most `steps`.
   std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;
 
@@ -39,7 +35,6 @@ class Trajectories {
   void close();
 
  private:
-  std::filesystem::path folder_;
   Scene::Run schedule_;
   bool si_;
   std::optional<H5mdWriter> h5md_;
