@@ -117,7 +117,7 @@ TEST(Hugoniot, AnyStateOfAnyModelHasAShockOrARefusal) {
   std::mt19937_64 generator(7);
   std::uniform_real_distribution<double> uniform(0, 1);
   std::size_t models = 0;
-  for (auto const& [name, description, eos] : materials()) {
+  for (auto const& [name, description, eos, usable] : materials()) {
     Fluid const matter(eos);
     int shocks = 0, refusals = 0;
     double worst = 0;

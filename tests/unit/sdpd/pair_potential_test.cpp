@@ -160,7 +160,7 @@ TEST(TabulatedPotential, MayBeginAtZero) {
   }
   TabulatedPotential const table(r, u, f);
   EXPECT_EQ(table.inner(), 0);
-  EXPECT_NEAR(table(0.02, 50).strength * 0.02, 24.5, 1e-9);
+  EXPECT_NEAR(table(0.02, 50.0).strength * 0.02, 24.5, 1e-9);
   EXPECT_THROW(TabulatedPotential({-0.1, 1, 2, 3}, {3, 2, 1, 0}), InputError);
 }
 

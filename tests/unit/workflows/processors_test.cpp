@@ -1,6 +1,7 @@
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/text_file.hpp"
+#include <cmath>
 #include <gtest/gtest.h>
 #include <thread>
 
