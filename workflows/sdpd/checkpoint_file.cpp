@@ -177,6 +177,8 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .pair_counts = reader.pair_counts("pair_counts"),
                          .conduction_counts = reader.pair_counts("conduction_counts")},
           .scene = reader.scene(),
+          .inputs = reader.inputs(),
+          .equilibration = reader.equilibration(),
           .warning = ""};
 }
 
