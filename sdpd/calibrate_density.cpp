@@ -1,5 +1,6 @@
 #include "sdpd/calibrate_density.hpp"
 #include "fitting/eos/evaluate.hpp"
+#include "sdpd/observe/runaway.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -62,7 +63,7 @@ class Calibration {
  public:
   Calibration(SimulationSettings const& settings, ScaleCondition condition,
               std::function<bool()> const& keep_going)
-      : condition_(condition), keep_going_(keep_going), target_(target_of(settings)), simulation_(settings),
+      : condition_(condition), keep_going_(keep_going), dt_(settings.dt), target_(target_of(settings)), simulation_(settings),
         correction_(settings.density_correction),
         W_0_(std::visit([](auto const& kernel) { return kernel.W(0.0); },
                         make_kernel(settings.kernel, settings.h_factor))) {
@@ -93,6 +94,7 @@ class Calibration {
     for (std::uint64_t k = 0; k < steps; k += every) {
       simulation_.advance(every);
       auto const now = simulation_.observe();
+      refuse_runaway(now, dt_);
       samples.rho.push_back(now.rho), samples.P.push_back(now.P);
       if (condition_ == ScaleCondition::response)
         samples.response.push_back(k % response_every == 0 ? simulation_.compression_response()
@@ -152,6 +154,7 @@ class Calibration {
 
   ScaleCondition condition_;
   std::function<bool()> const& keep_going_;
+  double dt_;
   Target target_;
   Simulation simulation_;
   DensityCorrection correction_;

@@ -104,6 +104,7 @@ class Farm {
   }
 
   void work(Progress& progress) {
+    interrupts_are_asked_for();
     while (begin_more() || !children_.empty()) {
       wait();
       std::erase_if(children_, [&](RunningChild& child) { return take(child); });

@@ -203,7 +203,7 @@ std::string group_overview(std::string const& group, std::vector<Command> const&
 std::string command_help(Command const& command, CLI::App const& app, std::size_t columns) {
   columns = readable(columns);
   std::string text =
-      wrapped(command.summary, columns, 0) + "\n" + wrapped(usage(command, app), columns, 2) + "\n";
+      wrapped(app.get_description(), columns, 0) + "\n" + wrapped(usage(command, app), columns, 2) + "\n";
   text += titled("Arguments", options_text(app, "Options", true, columns));
   text += titled("Options", options_text(app, "Options", false, columns));
   text += titled("Common options", options_text(app, "Common options", false, columns));

@@ -88,6 +88,10 @@ void interrupts_end_at_once() {
   flag_is_read = 0;
 }
 
+void interrupts_are_asked_for() {
+  throw_if_interrupted();
+}
+
 void throw_if_interrupted() {
   if (!interrupt_requested())
     return;

@@ -20,6 +20,11 @@ void interrupts_end_at_once();
 /// Whether the user asked the program to stop.
 bool interrupt_requested();
 
+/// What follows saves its work when it is asked to stop, though its first question may come late or, on ranks
+/// whose root asks for all, never: from now on a signal only raises the flag. Throws Interrupted when one has
+/// come.
+void interrupts_are_asked_for();
+
 /// Throws Interrupted once the user asked the program to stop. Long loops call it where stopping loses
 /// nothing.
 void throw_if_interrupted();

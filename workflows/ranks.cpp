@@ -3,6 +3,7 @@
 #include "md/mpi_world.hpp"
 #include "md/rank_launcher.hpp"
 #include "workflows/command_line.hpp"
+#include "workflows/interrupt.hpp"
 #include <algorithm>
 #include <iostream>
 #include <thread>
@@ -35,6 +36,7 @@ void work_on_ranks(Context const& context, std::vector<std::string> words,
 
 void guard_ranks(std::function<void()> const& work) {
   md::MpiWorld const world;
+  interrupts_are_asked_for();
   try {
     work();
   } catch (Interrupted const&) {

@@ -315,19 +315,24 @@ TEST(BenchEngine, ReportsItsKeys) {
   EXPECT_EQ(json["n"], 512);
 }
 
-// EMS refuses the bad steps of pairs, not those of Verlet's motion.
+// EMS refuses the bad steps of pairs, not those of Verlet's motion. Which shows first where densities are
+// calibrated.
 TEST(Run, EndsWhenTheMotionRunsAway) {
   ScratchDirectory const scratch;
-  std::vector<std::string> words{MESOBRIDGE_PROGRAM, "run",
-                                 MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml"};
-  for (char const* set : {"particles.K=5", "particles.N=343", "scheme.name=ems", "scheme.dt=0.8",
-                          "run.steps=640", "run.equilibrate=64", "run.sample_every=20"})
-    words.insert(words.end(), {"--set", set});
-  words.insert(words.end(), {"-o", (scratch / "a").string(), "--quiet"});
-  auto const result = run_process(words);
-  EXPECT_EQ(result.status, 3) << result.errors;
-  for (char const* part : {"step ", "dt = 0.8", "kinetic temperature", "shorter time step"})
-    EXPECT_NE(result.errors.find(part), std::string::npos) << part << ": " << result.errors;
+  for (std::string const density : {"plain", "auto"}) {
+    std::vector<std::string> words{MESOBRIDGE_PROGRAM, "run",
+                                   MESOBRIDGE_SOURCE_DIR "/workflows/scenes/ideal-gas.toml"};
+    for (std::string const set :
+         {std::string("particles.K=5"), std::string("particles.N=343"), std::string("scheme.name=ems"),
+          std::string("scheme.dt=0.8"), std::string("run.steps=640"), std::string("run.equilibrate=64"),
+          std::string("run.sample_every=20"), "particles.density=" + density})
+      words.insert(words.end(), {"--set", set});
+    words.insert(words.end(), {"-o", (scratch / density).string(), "--quiet"});
+    auto const result = run_process(words);
+    EXPECT_EQ(result.status, 3) << result.errors;
+    for (char const* part : {"step ", "dt = 0.8", "kinetic temperature", "shorter time step"})
+      EXPECT_NE(result.errors.find(part), std::string::npos) << part << ": " << result.errors;
+  }
 }
 
 } // namespace
