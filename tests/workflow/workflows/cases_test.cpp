@@ -27,6 +27,8 @@ struct Case {
     double value, tolerance;
   };
   std::vector<Number> numbers;
+
+  friend void PrintTo(Case const& shown, std::ostream* out) { *out << shown.run; }
 };
 
 std::vector<std::string> texts(toml::table const& entry, char const* key) {
