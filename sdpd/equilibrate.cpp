@@ -65,6 +65,12 @@ void Equilibration::finish(Part const& part) {
     simulation_.heat(1 - T_int);
     return;
   }
+  constexpr double absurd = 100; // no structure that settles sets so much free
+  if (!(T_kin < absurd))
+    throw PhysicsError(fmt::format("step {}: while the system came to equilibrium, the kinetic temperature has "
+                                   "grown to {:.3g} times the set one: the motion is unstable; take a shorter "
+                                   "time step",
+                                   simulation_.step(), T_kin));
   // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
   // each temperature fluctuate, cancels.
   double const kinetic_share =

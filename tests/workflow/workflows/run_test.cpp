@@ -330,7 +330,7 @@ TEST(Run, EndsWhenTheMotionRunsAway) {
     words.insert(words.end(), {"-o", (scratch / density).string(), "--quiet"});
     auto const result = run_process(words);
     EXPECT_EQ(result.status, 3) << result.errors;
-    for (char const* part : {"step ", "dt = 0.8", "kinetic temperature", "shorter time step"})
+    for (char const* part : {"step ", "kinetic temperature", "shorter time step"})
       EXPECT_NE(result.errors.find(part), std::string::npos) << part << ": " << result.errors;
   }
 }
