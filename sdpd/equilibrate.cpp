@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "sdpd/equilibration.hpp"
+#include "sdpd/observe/runaway.hpp"
 #include <array>
 #include <cmath>
 
@@ -65,8 +66,7 @@ void Equilibration::finish(Part const& part) {
     simulation_.heat(1 - T_int);
     return;
   }
-  constexpr double absurd = 100; // no structure that settles sets so much free
-  if (!(T_kin < absurd))
+  if (!(T_kin < absurd_temperature))
     throw PhysicsError(fmt::format("step {}: while the system came to equilibrium, the kinetic temperature has "
                                    "grown to {:.3g} times the set one: the motion is unstable; take a shorter "
                                    "time step",
