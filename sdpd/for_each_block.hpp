@@ -1,22 +1,9 @@
 #pragma once
+#include "sdpd/barrier.hpp"
 #include "sdpd/block_shares.hpp"
 #include "sdpd/team.hpp"
-#include "sdpd/waiting.hpp"
 
 namespace mesobridge::sdpd {
-
-/// How far a phase is, of which the next must see all that was done. It does not ask who did it: a thread
-/// that took no block is not waited for.
-struct alignas(64) PhaseProgress {
-  std::atomic<std::size_t> done = 0;
-  Signal is_complete = 0;
-
-  void add(std::size_t blocks, std::size_t all) {
-    if (blocks > 0 && done.fetch_add(blocks, std::memory_order_acq_rel) + blocks == all)
-      change_to(is_complete, 1);
-  }
-  void wait() const { wait_while(is_complete, 0); }
-};
 
 enum class Phases { in_turn, at_once };
 
@@ -30,19 +17,14 @@ void for_each_block(CellGrid const& grid, int threads, F&& f) {
       f(block);
     return;
   }
-  auto const begin = grid.phase_begin();
+  Barrier barrier(threads);
   BlockShares shares(grid, threads);
-  std::vector<PhaseProgress> progress(grid.phase_count());
-  with_team(threads, [&](int thread) {
+  on_threads(threads, [&](int thread) {
     for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
-      std::size_t const all = begin[phase + 1] - begin[phase];
-      std::size_t blocks = 0;
-      for (; auto const block = shares.take(phase, thread); ++blocks)
+      while (auto const block = shares.take(phase, thread))
         f(*block);
-      if (phases == Phases::at_once || all == 0)
-        continue;
-      progress[phase].add(blocks, all);
-      progress[phase].wait();
+      if (phases == Phases::in_turn && phase + 1 < grid.phase_count())
+        barrier.wait();
     }
   });
 }

@@ -9,13 +9,9 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// The door between a worker and the task: the team's thread opens it and closes it again, and waits only
-/// when it finds the worker inside.
-enum Door : std::uint32_t { closed, open, inside };
-
-/// One thread, in cache lines of its own.
+/// One thread and the signal that it waits for; a cache line of its own.
 struct alignas(64) Worker {
-  Signal door = closed;
+  Signal called = 0;
   std::thread thread;
 };
 
@@ -25,18 +21,18 @@ struct Team::State {
   std::vector<std::unique_ptr<Worker>> workers;
   void (*task)(void const*, int) = nullptr; ///< none: the team ends
   void const* data = nullptr;
+  alignas(64) std::atomic<int> busy = 0;
+  alignas(64) Signal all_done = 0;
   pid_t process = getpid();
 
   void live(Worker& self, int thread) {
-    for (;;) {
-      wait_while(self.door, closed);
-      std::uint32_t expected = open;
-      if (!self.door.compare_exchange_strong(expected, inside, std::memory_order_acquire))
-        continue; // it was closed again
+    for (std::uint32_t call = 0;; ++call) {
+      wait_while(self.called, call);
       if (!task)
         return;
       task(data, thread);
-      change_to(self.door, closed);
+      if (busy.fetch_sub(1, std::memory_order_acq_rel) == 1)
+        change(all_done);
     }
   }
 
@@ -69,25 +65,24 @@ Team::~Team() {
   }
   state_->task = nullptr;
   for (auto const& worker : state_->workers) {
-    change_to(worker->door, open);
+    change(worker->called);
     worker->thread.join();
   }
 }
 
 void Team::work(int threads, void (*task)(void const*, int), void const* data) {
-  auto& workers = state_->workers;
+  auto& [workers, its_task, its_data, busy, all_done, process] = *state_;
   auto const others = static_cast<std::size_t>(threads - 1);
   while (workers.size() < others)
     state_->add_worker();
-  state_->task = task, state_->data = data;
+  its_task = task, its_data = data;
+  busy.store(threads - 1, std::memory_order_relaxed);
+  auto const before = all_done.load(std::memory_order_relaxed);
   for (std::size_t k = 0; k < others; ++k)
-    change_to(workers[k]->door, open);
+    change(workers[k]->called);
   task(data, 0);
-  for (std::size_t k = 0; k < others; ++k) {
-    std::uint32_t expected = open;
-    if (!workers[k]->door.compare_exchange_strong(expected, closed, std::memory_order_acquire))
-      wait_while(workers[k]->door, inside);
-  }
+  if (others > 0)
+    wait_while(all_done, before);
 }
 
 } // namespace mesobridge::sdpd

@@ -27,10 +27,10 @@ inline void wait_while(Signal const& signal, std::uint32_t old) {
   }
 }
 
-/// Sets the signal to another value and wakes those who sleep. The exchange is a locked operation: a plain
-/// store could be seen after the look whether anyone sleeps.
-inline void change_to(Signal& signal, std::uint32_t value) {
-  signal.exchange(value, std::memory_order_seq_cst);
+/// Changes the signal and wakes those who sleep. The change is a locked operation: a plain store could be
+/// seen after the look whether anyone sleeps.
+inline void change(Signal& signal) {
+  signal.fetch_add(1, std::memory_order_seq_cst);
   signal.notify_all();
 }
 
