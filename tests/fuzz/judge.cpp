@@ -1,0 +1,103 @@
+#include "fuzz/judge.hpp"
+#include "workflows/command.hpp"
+#include <cmath>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <regex>
+
+namespace mesobridge::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Collector {
+  std::vector<std::pair<std::string, std::vector<double>>> all;
+};
+
+herr_t collect(hid_t group, char const* name, H5O_info_t const* info, void* data) {
+  if (info->type != H5O_TYPE_DATASET)
+    return 0;
+  hid_t const dataset = H5Dopen2(group, name, H5P_DEFAULT), type = H5Dget_type(dataset),
+              space = H5Dget_space(dataset);
+  auto const kind = H5Tget_class(type);
+  if (kind == H5T_FLOAT || kind == H5T_INTEGER) {
+    std::vector<double> values(
+        static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)));
+    if (values.empty() ||
+        H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0)
+      static_cast<Collector*>(data)->all.emplace_back(name, std::move(values));
+  }
+  H5Sclose(space), H5Tclose(type), H5Dclose(dataset);
+  return 0;
+}
+
+/// A number that is none, printed as a word of its own (not "information", not a path).
+std::string words_without_value(std::string const& printed) {
+  static std::regex const none(R"((^|[\s=:,(\[])[-+]?(nan|inf|infinity)($|[\s,;)\]]))", std::regex::icase);
+  std::smatch found;
+  return std::regex_search(printed, found, none) ? found.str() : "";
+}
+
+std::string files_without_value(fs::path const& folder) {
+  for (auto const& entry : fs::recursive_directory_iterator(folder)) {
+    auto const extension = entry.path().extension();
+    if (!entry.is_regular_file() || (extension != ".h5" && extension != ".vtkhdf"))
+      continue;
+    for (auto const& [name, values] : numbers_of(entry.path()))
+      for (double const value : values)
+        if (!std::isfinite(value))
+          return fmt::format("{}: {} holds {}", entry.path().string(), name, value);
+  }
+  return "";
+}
+
+/// What no command may do, whatever it was given.
+std::string fault_of(Outcome const& outcome) {
+  auto const& [status, hung, printed] = outcome;
+  if (hung)
+    return "hangs";
+  if (status != 0 && status != 130 && (status < 2 || status > 4))
+    return fmt::format("ends with status {}", status);
+  if (printed.find("unexpected failure") != std::string::npos)
+    return "an unexpected failure";
+  if (status != 0 && status != 130 && printed.empty())
+    return fmt::format("ends with status {} and says nothing", status);
+  auto const word = status == 0 ? words_without_value(printed) : "";
+  return word.empty() ? "" : fmt::format("prints '{}' and succeeds", word);
+}
+
+std::string fault_of_last(Trial const& trial, Outcome const& last) {
+  if (last.status == 130)
+    return "";
+  if (last.status != 0)
+    return trial.expected == Expected::success ? fmt::format("refused, with status {}", last.status) : "";
+  if (trial.expected == Expected::refusal)
+    return "succeeds, though it must refuse";
+  auto const where = fs::exists(trial.folder / "out") ? files_without_value(trial.folder / "out") : "";
+  return where.empty() ? "" : where + ", with success";
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::vector<double>>> numbers_of(fs::path const& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  hid_t const handle = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (handle < 0)
+    return {};
+  Collector collector;
+  H5Ovisit(handle, H5_INDEX_NAME, H5_ITER_INC, collect, &collector);
+  H5Fclose(handle);
+  return std::move(collector.all);
+}
+
+std::string fault_of(Trial const& trial, std::vector<Outcome> const& outcomes) {
+  for (auto const& outcome : outcomes)
+    if (auto fault = fault_of(outcome); !fault.empty())
+      return fault;
+  if (outcomes.size() == trial.commands.size())
+    if (auto fault = fault_of_last(trial, outcomes.back()); !fault.empty())
+      return fault;
+  return trial.judge ? trial.judge(trial, outcomes) : "";
+}
+
+} // namespace mesobridge::fuzz
