@@ -94,7 +94,7 @@ class Calibration {
     for (std::uint64_t k = 0; k < steps; k += every) {
       simulation_.advance(every);
       auto const now = simulation_.observe();
-      if (!(now.T_kin < absurd_temperature))
+      if (!(now.T_kin < absurd_temperature(simulation_.units().K)))
         refuse_runaway(now, dt_);
       samples.rho.push_back(now.rho), samples.P.push_back(now.P);
       if (condition_ == ScaleCondition::response)

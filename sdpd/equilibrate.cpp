@@ -66,7 +66,7 @@ void Equilibration::finish(Part const& part) {
     simulation_.heat(1 - T_int);
     return;
   }
-  if (!(T_kin < absurd_temperature))
+  if (!(T_kin < absurd_temperature(simulation_.units().K)))
     throw PhysicsError(fmt::format("step {}: while the system came to equilibrium, the kinetic temperature has "
                                    "grown to {:.3g} times the set one: the motion is unstable; take a shorter "
                                    "time step",

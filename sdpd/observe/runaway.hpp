@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/observe/observation.hpp"
+#include <algorithm>
 
 namespace mesobridge::sdpd {
 
@@ -7,8 +8,11 @@ namespace mesobridge::sdpd {
 /// high, or no number, has a time step that is too long for its motion. Schemes that refuse bad steps of
 /// pairs (EMS, AMS) would go on for ever.
 inline constexpr double runaway_temperature = 2;
-/// While a structure settles it may set more energy free than that, but not so much.
-inline constexpr double absurd_temperature = 100;
+/// While a structure settles it may set more energy free than that: particles of size K up to about their
+/// internal energy, which is K times the thermal one; but not more.
+constexpr double absurd_temperature(double K) {
+  return std::max(100.0, K);
+}
 
 /// Throws PhysicsError that names step, time step and temperature once that has happened.
 void refuse_runaway(Observation const& now, double dt);
