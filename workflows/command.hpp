@@ -27,7 +27,7 @@ struct CommonOptions {
   bool quiet = false;
   std::optional<std::filesystem::path> output;
   std::optional<std::uint64_t> seed;
-  std::optional<int> threads; ///< >= 1; already handed to OpenMP
+  std::optional<int> threads; ///< >= 1; already what the engine uses where nothing else is said
   std::optional<int> ranks;   ///< >= 1
 };
 

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/metal/hugoniostat_check.hpp"
 #include "workflows/metal/hugoniot_plan.hpp"
 #include "workflows/metal/metal_options.hpp"
@@ -150,6 +151,10 @@ Result hugoniot(Options const& options, Context const& context) {
   job.runs = directory / "hugoniot-runs.h5";
   job.settings.log_file = directory / "lammps.log";
   check(request, job.settings);
+  if (!job.resume)
+    keep_earlier_results(context, options.metal.started_by_ourselves, directory,
+                         {job.runs, directory / "hugoniot.h5", directory / "hugoniot.csv",
+                          directory / "hugoniot.json", job.settings.log_file});
   if (must_start_ranks(context)) {
     run_on_ranks(ranks_of(context), words_for_ranks(context));
   } else {

@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_grid.hpp"
 #include "workflows/ranks.hpp"
@@ -40,6 +41,8 @@ LjGridJob job_of(Options const& options, Context const& context) {
 
 Result lj_grid(Options const& options, Context const& context) {
   auto const job = job_of(options, context); // before any rank starts: bad input is told once
+  keep_earlier_results(context, options.started_by_ourselves, job.directory,
+                       {job.directory / "lj-grid.h5", job.settings.log_file});
   if (must_start_ranks(context)) {
     auto words = context.arguments;
     std::erase(words, "--json");

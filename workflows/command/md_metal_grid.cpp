@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/list.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
 #include "workflows/metal/metal_table.hpp"
@@ -77,6 +78,10 @@ Result metal_grid(Options const& options, Context const& context) {
   auto const directory = context.output_directory("out/metal-grid");
   job.runs = directory / "metal-runs.h5";
   job.settings.log_file = directory / "lammps.log";
+  if (!job.resume)
+    keep_earlier_results(context, options.metal.started_by_ourselves, directory,
+                         {job.runs, directory / "metal-grid.h5", directory / "metal-grid.csv",
+                          directory / "metal-grid.json", job.settings.log_file});
   if (must_start_ranks(context)) {
     run_on_ranks(ranks_of(context), words_for_ranks(context));
   } else {

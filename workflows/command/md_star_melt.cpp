@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/star/chapter.hpp"
@@ -45,6 +46,10 @@ Result star_melt(Options const& options, Context const& context) {
   job.settings.seed = context.options.seed.value_or(job.settings.seed);
   md::check(job.settings); // before any rank starts: bad input is told once
   job.settings.directory = context.output_directory("out/star-melt");
+  if (!options.resume)
+    keep_earlier_results(context, options.started_by_ourselves, job.settings.directory,
+                         {job.blobs(), job.summary(), job.settings.directory / "centres.h5",
+                          job.settings.restart_file(), job.settings.log_file()});
   sample_melt_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
     return {.json = {}, .text = "", .complaint = "", .silent = true};

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/star/sample_vacuum.hpp"
 #include <CLI/CLI.hpp>
@@ -42,6 +43,9 @@ Result star_vacuum(Options const& options, Context const& context) {
   }
   md::check(s); // before any rank starts: bad input is told once
   s.directory = context.output_directory("out/star-vacuum");
+  if (!options.resume)
+    keep_earlier_results(context, options.started_by_ourselves, s.directory,
+                         {job.blobs(), job.summary(), s.restart_file(), s.log_file()});
   sample_vacuum_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
     return {.json = {}, .text = "", .complaint = "", .silent = true};

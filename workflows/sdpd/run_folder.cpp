@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_folder.hpp"
 #include "md/error.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
@@ -42,14 +43,6 @@ bool same_file(fs::path const& a, fs::path const& b) {
   return fs::equivalent(a, b, ignored);
 }
 
-void move_into(fs::path const& folder, fs::path const& file) {
-  std::error_code error;
-  fs::rename(file, folder / file.filename(), error);
-  if (error)
-    throw EnvironmentError(
-        fmt::format("cannot move '{}' into '{}': {}", file.string(), folder.string(), error.message()));
-}
-
 } // namespace
 
 bool RunFolder::has_checkpoint() const {
@@ -83,19 +76,10 @@ void RunFolder::write_scene(std::string const& resolved) const {
 }
 
 fs::path RunFolder::back_up() const {
-  int number = 1;
-  auto const backup = [&] { return path_ / fmt::format("backup-{}", number); };
-  while (fs::exists(backup()))
-    ++number;
-  std::error_code error;
-  if (!fs::create_directory(backup(), error))
-    throw EnvironmentError(fmt::format("cannot create '{}': {}", backup().string(), error.message()));
-  for (auto const& file : results())
-    move_into(backup(), file);
+  auto files = results();
   for (auto const& part : {calibration(), time_step_study(), log()})
-    if (fs::exists(part))
-      move_into(backup(), part);
-  return backup();
+    files.push_back(part);
+  return set_aside(path_, files);
 }
 
 ClaimedFolder claim(RunFolder const& folder, RunClaim const& how) {

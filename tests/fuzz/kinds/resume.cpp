@@ -4,6 +4,7 @@
 #include "fuzz/judge.hpp"
 #include "fuzz/kinds/kinds.hpp"
 #include "fuzz/kinds/tiny_run.hpp"
+#include "hdf5_numbers.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <csignal>
@@ -18,6 +19,7 @@ namespace mesobridge::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::numbers_of;
 
 /// Starts the run and kills it once its first checkpoint is there.
 void kill_a_run(fs::path const& folder) {
