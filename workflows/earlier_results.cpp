@@ -3,6 +3,7 @@
 #include "md/mpi_world.hpp"
 #include "workflows/command.hpp"
 #include "workflows/ranks.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -48,6 +49,9 @@ void keep_earlier_results(Context const& context, bool started_by_ourselves, fs:
                           std::vector<fs::path> const& files) {
   // This process must not become a rank of MPI when it is to start the ranks.
   if (started_by_ourselves || (!must_start_ranks(context) && !md::MpiWorld().is_root()))
+    return;
+  auto const is_result = [](fs::path const& file) { return file.extension() != ".log" && fs::exists(file); };
+  if (std::ranges::none_of(files, is_result)) // a log alone is of a call that came to nothing
     return;
   if (auto const backup = set_aside(folder, files); !backup.empty())
     context.log->info("what was in '{}' is in '{}' now", folder.string(), backup.string());
