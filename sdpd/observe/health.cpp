@@ -98,11 +98,16 @@ class Examination {
     auto const series = samples_.at_instants(&InstantMoments::pairing);
     if (series.empty())
       return;
-    std::size_t const last = series.size() - series.size() / 4;
-    double const in_the_end =
-        std::accumulate(series.begin() + static_cast<std::ptrdiff_t>(last), series.end(), 0.0) /
-        static_cast<double>(series.size() - last);
-    if (std::max(means_.pairing.mean, in_the_end) > conditions_.tolerable_pairing)
+    // The instants lie apart, so that their scatter is the mean's error.
+    std::size_t const count = std::max<std::size_t>(series.size() / 4, 1), last = series.size() - count;
+    std::span<double const> const end(series.begin() + static_cast<std::ptrdiff_t>(last), series.end());
+    double const in_the_end = std::accumulate(end.begin(), end.end(), 0.0) / static_cast<double>(count);
+    double squares = 0;
+    for (double const share : end)
+      squares += (share - in_the_end) * (share - in_the_end);
+    double const se = std::sqrt(squares) / static_cast<double>(count);
+    if (std::max(means_.pairing.mean - 2 * means_.pairing.se, in_the_end - 2 * se) >
+        conditions_.tolerable_pairing)
       add("pairing", false,
           fmt::format(
               "{:.3g} % of the particles had a neighbour nearer than {} mean distances, {:.3g} % in the last "
