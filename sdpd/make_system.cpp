@@ -1,5 +1,7 @@
-#include "sdpd/random.hpp"
-#include "sdpd/start.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/conservative/refresh.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/state/random.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -100,30 +102,6 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
 }
 
 } // namespace
-
-Box box_of(SimulationSettings const& s) {
-  return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
-}
-
-/// Skin of the neighbour lists, from the rms step of a particle, dt sqrt(3/K): fast particles want a wide
-/// skin, slow ones a narrow one. The bounds and the factor were chosen by timing the ideal gas and argon at
-/// K = 100, where 0.35 ... 0.5 cost the same, and DPDE fluids at dt = 0.01, which want 0.6 of the particles'
-/// distance: 0.36 ranges with 20 neighbours, 0.24 with 62.
-double skin_of(SimulationSettings const& s) {
-  if (s.pair_fluid && s.skin == 0)
-    return s.spacing() * std::clamp(35 * s.dt * std::sqrt(3.0), 0.4, 0.75);
-  return s.skin > 0 ? s.skin : std::clamp(20 * s.dt * std::sqrt(3 / s.K), 0.3, 0.7);
-}
-
-/// Without noise the centres of mass have no thermal motion that could carry anything.
-CentreOfMass centre_of_mass_of(SimulationSettings const& s) {
-  return s.noise ? s.centre_of_mass : CentreOfMass::bulk;
-}
-
-double self_density(AnyKernel const& kernel, DensityCorrection const& correction) {
-  double const W_0 = std::visit([](auto const& of) { return of.W(0.0); }, kernel); // with the scale
-  return W_0 * (1 - correction.self / correction.scale);
-}
 
 std::unique_ptr<System> make_system(SimulationSettings const& settings) {
   check(settings);

@@ -1,8 +1,10 @@
 #include "sdpd/simulation.hpp"
+#include "sdpd/make_system.hpp"
 #include "sdpd/observe/compression.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/system.hpp"
+#include "sdpd/state/pair_counts.hpp"
+#include "sdpd/system/system.hpp"
 
 namespace mesobridge::sdpd {
 Simulation::Simulation(SimulationSettings const& settings)

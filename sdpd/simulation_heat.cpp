@@ -1,6 +1,9 @@
-#include "sdpd/random.hpp"
-#include "sdpd/start.hpp"
-#include "sdpd/step/langevin.hpp"
+#include "sdpd/conservative/refresh.hpp"
+#include "sdpd/fluctuation/langevin.hpp"
+#include "sdpd/simulation.hpp"
+#include "sdpd/state/random.hpp"
+#include "sdpd/system/system.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include <algorithm>
 
 // What gives a simulation's particles other temperatures, momenta or densities.

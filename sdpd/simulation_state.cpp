@@ -1,6 +1,10 @@
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/conservative/refresh.hpp"
 #include "sdpd/observe/virials.hpp"
-#include "sdpd/start.hpp"
-#include "sdpd/step/conservative.hpp"
+#include "sdpd/simulation.hpp"
+#include "sdpd/state/checkpoint.hpp"
+#include "sdpd/system/system.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include <algorithm>
 
 // What a simulation tells of its particles, and how it goes on from that.

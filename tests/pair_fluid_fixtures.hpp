@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
 #include "sdpd/simulation.hpp"
 
 namespace mesobridge::sdpd {

@@ -67,4 +67,9 @@ DensityCorrection glass_correction(std::string_view kernel, double neighbours) {
   refuse(kernel, "there is no glass correction for the kernel");
 }
 
+double self_density(AnyKernel const& kernel, DensityCorrection const& correction) {
+  double const W_0 = std::visit([](auto const& of) { return of.W(0.0); }, kernel); // with the scale
+  return W_0 * (1 - correction.self / correction.scale);
+}
+
 } // namespace mesobridge::sdpd

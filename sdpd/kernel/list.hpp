@@ -37,4 +37,7 @@ AnyKernel make_kernel(std::string_view name, double h, double scale = 1);
 /// (calibrate_density.hpp). Throws InputError for other kernels and numbers of neighbours.
 DensityCorrection glass_correction(std::string_view kernel, double neighbours);
 
+/// What a particle adds to its own density; the kernel has the scale of the correction.
+double self_density(AnyKernel const& kernel, DensityCorrection const& correction);
+
 } // namespace mesobridge::sdpd

@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/wide_lanes.hpp"
+#include "sdpd/simd/wide_lanes.hpp"
 #include <numbers>
 
 namespace mesobridge::sdpd {

@@ -1,6 +1,7 @@
 #include "sdpd/observe/canonical_energy.hpp"
 #include "fitting/eos/centre_of_mass_free.hpp"
-#include "sdpd/particle_eos.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/thermodynamics/particle_eos.hpp"
 
 namespace mesobridge::sdpd {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
-#include "sdpd/simulation.hpp"
+#include "sdpd/method/settings.hpp"
+#include <functional>
 
 namespace mesobridge::sdpd {
 

@@ -1,5 +1,5 @@
 #include "sdpd/observe/compression.hpp"
-#include "sdpd/block_copy.hpp"
+#include "sdpd/neighbours/block_copy.hpp"
 
 namespace mesobridge::sdpd {
 

@@ -1,6 +1,8 @@
 #pragma once
 #include "cg/estimate.hpp"
-#include "sdpd/simulation.hpp"
+#include "sdpd/observe/observation.hpp"
+#include "sdpd/state/snapshot.hpp"
+#include <span>
 
 namespace mesobridge::sdpd {
 

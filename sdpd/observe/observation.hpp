@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/system.hpp"
+#include "sdpd/system/system.hpp"
 
 namespace mesobridge::sdpd {
 

@@ -1,5 +1,5 @@
 #include "sdpd/observe/pairing.hpp"
-#include "sdpd/block_copy.hpp"
+#include "sdpd/neighbours/block_copy.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {

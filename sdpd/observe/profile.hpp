@@ -1,5 +1,6 @@
 #pragma once
-#include "sdpd/simulation.hpp"
+#include "sdpd/state/snapshot.hpp"
+#include <cstdint>
 
 namespace mesobridge::sdpd {
 

@@ -1,6 +1,6 @@
 #include "sdpd/observe/virials.hpp"
-#include "sdpd/block_copy.hpp"
-#include "sdpd/for_each_block.hpp"
+#include "sdpd/neighbours/block_copy.hpp"
+#include "sdpd/neighbours/for_each_block.hpp"
 
 namespace mesobridge::sdpd {
 namespace {

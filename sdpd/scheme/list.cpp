@@ -1,5 +1,6 @@
 #include "sdpd/scheme/list.hpp"
 #include "md/error.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
 #include <fmt/ranges.h>
 
 namespace mesobridge::sdpd {

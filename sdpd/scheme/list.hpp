@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include <string>
 #include <string_view>

@@ -1,9 +1,10 @@
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conduction.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
-#include "sdpd/step/pair_forces.hpp"
-#include "sdpd/sum_over_particles.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/conservative/pair_forces.hpp"
+#include "sdpd/fluctuation/conduction.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/system/sum_over_particles.hpp"
+#include "sdpd/system/total_energy.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -88,16 +89,6 @@ void fluctuation_step(System& system, Scheme const& scheme, double dt, bool seco
 }
 
 } // namespace
-
-double total_energy(System const& system) {
-  auto const& particles = system.particles;
-  if (!system.has_energies())
-    return system.potential_energy +
-           sum_over_particles(system, [&](std::size_t i) { return 0.5 * norm2(particles.p[i]); });
-  return system.potential_energy + sum_over_particles(system, [&](std::size_t i) {
-           return particles.eps[i] + 0.5 * norm2(particles.p[i]);
-         });
-}
 
 void step(System& system, Scheme const& scheme, double dt) {
   system.dt = dt;

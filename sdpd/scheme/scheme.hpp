@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/pair_scheme.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
 #include <cstdint>
 
 namespace mesobridge::sdpd {
@@ -35,9 +35,5 @@ struct Scheme {
 /// turn. Before and after it, eps, S, T, P and f belong to the positions. Throws PhysicsError when a particle
 /// leaves the equation of state.
 void step(System& system, Scheme const& scheme, double dt);
-
-/// Total energy, kinetic, internal and of the pair potential; summed in an order that does not depend on the
-/// threads.
-double total_energy(System const& system);
 
 } // namespace mesobridge::sdpd

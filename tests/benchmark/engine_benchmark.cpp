@@ -1,5 +1,6 @@
-#include "sdpd/pair/sdpd_friction.hpp"
-#include "sdpd/random_lanes.hpp"
+#include "sdpd/friction/sdpd_friction.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/state/random_lanes.hpp"
 #include "sdpd_fixtures.hpp"
 #include <benchmark/benchmark.h>
 

@@ -32,7 +32,7 @@ while read -r name scene settings; do
   # Words are settings; the stars of units are no patterns.
   # shellcheck disable=SC2086
   [ -d "$old" ] || run "$old" "$work/$name" 1 "$scene" $short $settings || { failed=$((failed + 1)); continue; }
-  for threads in 1 2 4; do
+  for threads in ${THREADS:-1 2 4}; do
     made=$work/$name-new
     rm -rf "$made"
     run "$new" "$made" $threads "$scene" $short $settings || { failed=$((failed + 1)); continue; }

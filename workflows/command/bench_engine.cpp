@@ -1,4 +1,5 @@
 #include "sdpd/scheme/list.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/sdpd/settings.hpp"

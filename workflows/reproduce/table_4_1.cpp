@@ -1,3 +1,4 @@
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/report/number_text.hpp"

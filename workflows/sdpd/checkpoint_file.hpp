@@ -1,5 +1,6 @@
 #pragma once
-#include "sdpd/equilibration.hpp"
+#include "sdpd/setup/equilibration.hpp"
+#include "sdpd/state/checkpoint.hpp"
 #include "workflows/provenance.hpp"
 #include <filesystem>
 

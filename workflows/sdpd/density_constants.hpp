@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/calibrate_density.hpp"
+#include "sdpd/setup/calibrate_density.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 
 namespace mesobridge::workflows {

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/state/snapshot.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/store/store.hpp"
 
@@ -13,7 +14,6 @@ class HistogramSeries {
  public:
   /// Goes on after the rows that the file holds. The store must outlive the series.
   HistogramSeries(Store& store, Scene const& scene, OutputUnits const& units);
-
 
   /// `time` is in the scene's units. The rows are flushed. Throws PhysicsError when all particles are alike
   /// at the first histogram: bins would have no width.

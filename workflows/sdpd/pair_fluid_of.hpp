@@ -1,5 +1,5 @@
 #pragma once
-#include "sdpd/pair_fluid.hpp"
+#include "sdpd/method/pair_fluid.hpp"
 #include "workflows/scene/scene.hpp"
 
 namespace mesobridge::workflows {

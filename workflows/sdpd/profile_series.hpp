@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/observe/profile.hpp"
+#include "sdpd/state/snapshot.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/store/store.hpp"
 
@@ -13,7 +14,6 @@ class ProfileSeries {
  public:
   /// Goes on after the rows that the file holds. The store must outlive the series.
   ProfileSeries(Store& store, Scene const& scene, OutputUnits const& units, double boltzmann);
-
 
   bool shows(std::string const& quantity) const;
 

@@ -1,5 +1,5 @@
 #include "workflows/sdpd/run_checks.hpp"
-#include "sdpd/start.hpp"
+#include "sdpd/method/settings.hpp"
 #include "workflows/scene/checks.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/study/automatic_dt.hpp"

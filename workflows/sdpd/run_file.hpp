@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/observe/equilibrium.hpp"
+#include "sdpd/state/snapshot.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/store/store.hpp"

@@ -1,4 +1,6 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
+#include "sdpd/simulation.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 
 namespace mesobridge::workflows {

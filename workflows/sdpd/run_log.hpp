@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/observation.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <filesystem>

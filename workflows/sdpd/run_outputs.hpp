@@ -1,4 +1,6 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
+#include "sdpd/simulation.hpp"
 #include "workflows/sdpd/histogram_series.hpp"
 #include "workflows/sdpd/profile_series.hpp"
 #include "workflows/sdpd/run_file.hpp"

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "sdpd/observe/runaway.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"

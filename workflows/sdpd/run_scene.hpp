@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/health.hpp"
 #include "workflows/command.hpp"
 #include "workflows/sdpd/resumption.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/simulation.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 

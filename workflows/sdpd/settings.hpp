@@ -1,5 +1,7 @@
 #pragma once
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/equilibrium.hpp"
+#include "sdpd/scheme/scheme.hpp"
 #include "workflows/scene/scene.hpp"
 
 namespace mesobridge::workflows {

@@ -2,6 +2,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "sdpd/observe/canonical_energy.hpp"
 #include "sdpd/observe/radial_distribution.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/job_pool.hpp"
 #include "workflows/size_study/parts.hpp"

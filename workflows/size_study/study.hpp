@@ -1,7 +1,7 @@
 #pragma once
 #include "md/lj_grid.hpp"
-#include "sdpd/calibrate_density.hpp"
 #include "sdpd/observe/equilibrium.hpp"
+#include "sdpd/setup/calibrate_density.hpp"
 #include "workflows/command.hpp"
 
 namespace mesobridge::workflows {

@@ -2,6 +2,7 @@
 #include "cg/histogram.hpp"
 #include "sdpd/observe/energy_walk.hpp"
 #include "sdpd/observe/runaway.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/processor_clock.hpp"
 #include <gsl/gsl_cdf.h>

@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/observe/equilibrium.hpp"
+#include "sdpd/state/checkpoint.hpp"
 #include "workflows/command.hpp"
 #include "workflows/scene/scene.hpp"
 

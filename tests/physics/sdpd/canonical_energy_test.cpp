@@ -1,6 +1,7 @@
 #include "cg/estimate.hpp"
 #include "fitting/eos/evaluate.hpp"
 #include "sdpd/observe/canonical_energy.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 

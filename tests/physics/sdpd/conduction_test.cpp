@@ -1,9 +1,14 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/conduction.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conduction.hpp"
-#include "sdpd/step/conservative.hpp"
+#include "sdpd/setup/equilibration.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

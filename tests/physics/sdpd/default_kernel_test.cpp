@@ -1,7 +1,9 @@
 #include "cg/estimate.hpp"
 #include "fitting/eos/evaluate.hpp"
-#include "sdpd/calibrate_density.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "sdpd/setup/calibrate_density.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>

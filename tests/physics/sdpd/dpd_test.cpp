@@ -1,9 +1,13 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
 #include "sdpd/observe/equilibrium.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
+#include "sdpd/setup/equilibration.hpp"
+#include "sdpd/state/pair_counts.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 

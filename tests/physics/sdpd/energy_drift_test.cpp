@@ -1,5 +1,8 @@
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/energy_walk.hpp"
 #include "sdpd/scheme/list.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 

@@ -1,9 +1,12 @@
 #include "cg/estimate.hpp"
-#include "sdpd/random.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/fluctuation_entropy.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
-#include "sdpd/step/fluctuation_entropy.hpp"
+#include "sdpd/state/random.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 

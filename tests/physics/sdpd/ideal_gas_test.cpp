@@ -1,5 +1,7 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,10 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/langevin.hpp"
+#include "sdpd/make_system.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/langevin.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

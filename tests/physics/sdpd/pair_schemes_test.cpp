@@ -1,7 +1,10 @@
 #include "cg/kolmogorov_smirnov.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
-#include "sdpd/system.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/state/pair_counts.hpp"
+#include "sdpd/system/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,9 @@
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conservative.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "sdpd/block_shares.hpp"
+#include "sdpd/neighbours/block_shares.hpp"
 #include <gtest/gtest.h>
 #include <mutex>
 #include <set>

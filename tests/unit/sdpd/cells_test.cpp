@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "sdpd/cells.hpp"
+#include "sdpd/neighbours/cells.hpp"
 #include <gtest/gtest.h>
 #include <map>
 #include <set>

@@ -1,8 +1,13 @@
 #include "pair_fluid_fixtures.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/conduction.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/step/conduction.hpp"
-#include "sdpd/step/conservative.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
+#include "unit/sdpd/oracle/plain.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

@@ -1,4 +1,4 @@
-#include "sdpd/pair/dpd_law.hpp"
+#include "sdpd/friction/dpd_law.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

@@ -1,5 +1,6 @@
 #include "pair_fluid_fixtures.hpp"
-#include "sdpd/equilibration.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/setup/equilibration.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sdpd/pair/sdpd_friction.hpp"
+#include "sdpd/friction/sdpd_friction.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

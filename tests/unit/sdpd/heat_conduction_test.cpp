@@ -1,4 +1,4 @@
-#include "sdpd/pair/heat_conduction.hpp"
+#include "sdpd/conduction/heat_conduction.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

@@ -1,4 +1,4 @@
-#include "sdpd/pair/lane_math.hpp"
+#include "sdpd/simd/lane_math.hpp"
 #include <gtest/gtest.h>
 #include <vector>
 

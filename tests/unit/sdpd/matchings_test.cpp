@@ -1,4 +1,4 @@
-#include "sdpd/matchings.hpp"
+#include "sdpd/neighbours/matchings.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>

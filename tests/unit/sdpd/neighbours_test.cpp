@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "sdpd/neighbours.hpp"
+#include "sdpd/neighbours/neighbours.hpp"
 #include <gtest/gtest.h>
 #include <random>
 #include <set>

@@ -1,8 +1,13 @@
 #include "pair_fluid_fixtures.hpp"
-#include "sdpd/random.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
-#include "sdpd/step/pair_forces.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/conservative/pair_forces.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/state/random.hpp"
+#include "sdpd/system/total_energy.hpp"
+#include "unit/sdpd/oracle/plain.hpp"
 #include <cstring>
 #include <gtest/gtest.h>
 

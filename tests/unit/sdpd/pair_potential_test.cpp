@@ -1,5 +1,6 @@
 #include "pair_fluid_fixtures.hpp"
-#include "sdpd/step/pair_forces.hpp"
+#include "sdpd/conservative/pair_forces.hpp"
+#include "sdpd/make_system.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

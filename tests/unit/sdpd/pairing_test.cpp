@@ -1,3 +1,4 @@
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "sdpd/method/settings.hpp"
 #include "sdpd/observe/equilibrium.hpp"
 #include "sdpd/observe/profile.hpp"
 #include "sdpd_fixtures.hpp"

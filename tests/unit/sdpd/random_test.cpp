@@ -1,5 +1,5 @@
 #include "cg/kolmogorov_smirnov.hpp"
-#include "sdpd/random_lanes.hpp"
+#include "sdpd/state/random_lanes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,7 +1,8 @@
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuating_block.hpp"
-#include "sdpd/step/select_pairs.hpp"
-#include "sdpd/system.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/fluctuating_block.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/neighbours/select_pairs.hpp"
+#include "sdpd/system/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <algorithm>
 #include <cmath>

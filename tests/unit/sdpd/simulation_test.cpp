@@ -1,8 +1,13 @@
-#include "sdpd/random.hpp"
-#include "sdpd/step/conservative.hpp"
-#include "sdpd/step/fluctuation.hpp"
-#include "sdpd/system.hpp"
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/state/random.hpp"
+#include "sdpd/system/system.hpp"
+#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
+#include "unit/sdpd/oracle/plain.hpp"
 #include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>

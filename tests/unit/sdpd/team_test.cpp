@@ -1,5 +1,5 @@
-#include "sdpd/barrier.hpp"
-#include "sdpd/team.hpp"
+#include "sdpd/threads/barrier.hpp"
+#include "sdpd/threads/team.hpp"
 #include <gtest/gtest.h>
 #include <set>
 #include <sys/resource.h>

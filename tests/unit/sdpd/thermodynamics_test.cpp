@@ -1,6 +1,6 @@
 #include "fitting/eos/centre_of_mass_free.hpp"
 #include "fitting/eos/evaluate.hpp"
-#include "sdpd/thermodynamics.hpp"
+#include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {

@@ -37,6 +37,44 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
   EXPECT_TRUE(offences("md", "#include <lammps/library.h>\n// #include \"cg/estimate.hpp\"\n").empty());
 }
 
+/// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
+std::vector<std::string> const rooms{
+    "simd",       "threads",        "state",      "kernel", "potential",    "friction",
+    "conduction", "thermodynamics", "neighbours", "system", "conservative", "fluctuation",
+    "scheme",     "method",         "observe",    "",       "setup"};
+
+std::string room_of(std::filesystem::path const& file) {
+  return file.parent_path().filename() == "sdpd" ? "" : file.parent_path().filename().string();
+}
+
+/// The rooms behind `room` that a text includes files of.
+std::vector<std::string> rooms_behind(std::string const& room, std::string const& text) {
+  static std::regex const include(R"re(#include "(sdpd/[^"]+)")re");
+  auto const rank = [](std::string const& name) { return std::ranges::find(rooms, name); };
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match)
+    if (auto const other = room_of((*match)[1].str()); rank(other) > rank(room))
+      found.push_back((*match)[1]);
+  return found;
+}
+
+TEST(IncludeRule, NoRoomOfTheEngineIncludesOneBehindIt) {
+  int files = 0;
+  for (auto const& entry : std::filesystem::recursive_directory_iterator(source / "sdpd")) {
+    if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp")
+      continue;
+    auto const room = room_of(std::filesystem::relative(entry.path(), source));
+    ASSERT_NE(std::ranges::find(rooms, room), rooms.end()) << entry.path() << " is in a room of no rank";
+    for (auto const& offence : rooms_behind(room, read(entry.path())))
+      ADD_FAILURE() << entry.path() << " includes " << offence;
+    ++files;
+  }
+  EXPECT_GT(files, 80);
+  EXPECT_EQ(rooms_behind("kernel", "#include \"sdpd/system/system.hpp\"\n"),
+            std::vector<std::string>{"sdpd/system/system.hpp"});
+  EXPECT_TRUE(rooms_behind("system", "#include \"sdpd/kernel/list.hpp\"\n").empty());
+}
+
 } // namespace
 
 } // namespace mesobridge::tests

@@ -1,0 +1,54 @@
+#include "sdpd/conservative/conservative.hpp"
+#include "sdpd/neighbours/for_each_block.hpp"
+#include "sdpd/neighbours/select_pairs.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+struct Scratch {
+  std::vector<Row> rows;
+  SelectionScratch selection;
+  std::vector<double> W, rho;
+};
+
+template <class Kernel>
+void add_densities(Kernel const& kernel, std::span<LocalPair const> pairs, std::size_t particles,
+                   Scratch& scratch) {
+  std::size_t const count = pairs.size();
+  scratch.W.resize(count + lane_count);
+  for (std::size_t k = 0; k < count; k += lane_count)
+    store(kernel.W(DistanceLanes(load<Lanes>(&scratch.selection.r2[k])).r), &scratch.W[k]);
+  scratch.rho.assign(particles, 0);
+  double* const rho = scratch.rho.data();
+  for (std::size_t k = 0; k < count; ++k) {
+    rho[pairs[k].i] += scratch.W[k];
+    rho[pairs[k].j] += scratch.W[k];
+  }
+}
+
+template <class Kernel>
+void find_pairs_and_densities(System& system, Kernel const& kernel) {
+  auto& particles = system.particles;
+  auto& neighbours = system.neighbours;
+  double const out_of_range = 2 * neighbours.range();
+  set_all(system, particles.rho, system.self_density);
+  for_each_block(neighbours.grid(), system.threads, [&](std::size_t block) {
+    thread_local Scratch scratch;
+    auto const members = neighbours.members(block);
+    std::size_t const n = size(members);
+    copy_rows(
+        members, particles.q, [](Index) { return 0.0; }, out_of_range, scratch.rows);
+    select_pairs_and_distances(neighbours, block, scratch.rows, scratch.selection);
+    add_densities(kernel, neighbours.pairs(block), n, scratch);
+    for_each_member(members,
+                    [&](std::size_t local, Index i, Vec3 const&) { particles.rho[i] += scratch.rho[local]; });
+  });
+}
+
+} // namespace
+
+void find_pairs_and_densities(System& system) {
+  std::visit([&](auto const& kernel) { find_pairs_and_densities(system, kernel); }, system.kernel);
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,52 @@
+#include "sdpd/fluctuation/conduction.hpp"
+#include "sdpd/fluctuation/exact_heat.hpp"
+#include "sdpd/fluctuation/heat_strip.hpp"
+#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/fluctuation/pair_sweep.hpp"
+#include "sdpd/state/pair_counts.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// Pairs exchange heat.
+struct Conduction {
+  template <class Particles>
+  using Strip = HeatStrip<Particles>;
+
+  template <class Law>
+  static void exact_step(PairScheme scheme, LeftPair const& pair, Sweep<Law> const& sweep,
+                         PairCounts& counts) {
+    ExactHeat<Law>(pair.states)
+        .step(scheme, pair.inputs.weight[pair.k], {.G = pair.inputs.G_x[pair.k], .uniform = pair.uniform},
+              sweep, counts);
+  }
+};
+
+/// How the pairs' heat is treated by a scheme whose friction is not pair after pair.
+PairScheme of_conduction(PairScheme scheme) {
+  switch (scheme) {
+  case PairScheme::ser:
+  case PairScheme::hybrid:
+  case PairScheme::entropy:
+    return PairScheme::ssa;
+  case PairScheme::ser_implicit:
+    return PairScheme::ams;
+  default:
+    return scheme;
+  }
+}
+
+} // namespace
+
+void conduct(System& system, PairScheme scheme, double dt, bool second) {
+  std::visit(
+      [&]<class Law>(Law const& law) {
+        if constexpr (!std::is_same_v<Law, std::monostate>)
+          sweep_pairs<Conduction>(system, of_conduction(scheme),
+                                  Sweep<Law>{law, dt, SweepNoise::of_conduction(system, second)},
+                                  system.conduction_counts);
+      },
+      system.conduction);
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,166 @@
+#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_lanes.hpp"
+#include "sdpd/fluctuation/sweep.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// The bath of eight pairs at the start, and their relative velocities.
+struct Start {
+  Bath<FloatLanes> bath;
+  VectorLanes<Lanes> v;
+};
+template <class Law>
+[[gnu::always_inline]] inline Start start_of(Law const& law, FluctuatingParticle const* particles,
+                                             LocalPair const* pair) {
+  ParticleLanes const a(load_lines([&](std::size_t l) { return &particles[pair[l].i]; }));
+  ParticleLanes const b(load_lines([&](std::size_t l) { return &particles[pair[l].j]; }));
+  return {law.template bath<FloatLanes>({to_float(a.caloric.T_0), to_float(b.caloric.T_0),
+                                         to_float(a.caloric.inverse_C_0), to_float(b.caloric.inverse_C_0)}),
+          {a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z}};
+}
+template <class Law>
+[[gnu::always_inline]] inline Start start_of(Law const& law, Row const* momenta, LocalPair const* pair) {
+  RowLanes const a = load_rows([&](std::size_t l) { return &momenta[pair[l].i]; });
+  RowLanes const b = load_rows([&](std::size_t l) { return &momenta[pair[l].j]; });
+  return {law.template bath<FloatLanes>(), {a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+
+/// What a pair gives to its first particle and takes from its second, -Gamma v dt + Sigma G sqrt(dt), all
+/// pairs at the velocities and temperatures of the start.
+template <class Law>
+[[gnu::always_inline]] inline VectorLanes<Lanes>
+impulse(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sweep<Law> const& sweep) {
+  auto const& bath = start.bath;
+  FloatLanes const dt = constant<FloatLanes>(sweep.dt);
+  auto const [a_par, a_perp] = sweep.law.coefficients(input.weight);
+  FloatLanes const gamma_par = a_par * bath.gamma_over_a * dt;
+  FloatLanes const sigma_par = square_root(bath.thermal * gamma_par);
+  VectorLanes<FloatLanes> const v{to_float(start.v.x), to_float(start.v.y), to_float(start.v.z)};
+  auto const &e = input.e, &G = input.G;
+  if constexpr (Law::across == Across::none) {
+    FloatLanes const along = sigma_par * input.G_along - gamma_par * dot(e, v);
+    return {to_double(along * e.x), to_double(along * e.y), to_double(along * e.z)};
+  } else {
+    FloatLanes const gamma_perp = a_perp * bath.gamma_over_a * dt,
+                     sigma_perp = square_root(bath.thermal * gamma_perp);
+    FloatLanes const along = (gamma_perp - gamma_par) * dot(e, v) + (sigma_par - sigma_perp) * input.G_along;
+    return {to_double(sigma_perp * G.x - gamma_perp * v.x + along * e.x),
+            to_double(sigma_perp * G.y - gamma_perp * v.y + along * e.y),
+            to_double(sigma_perp * G.z - gamma_perp * v.z + along * e.z)};
+  }
+}
+
+/// Calls f(pair, count, v, impulse) for the pairs of a block, eight at a time.
+template <class Law, class F>
+void for_each_impulse(System const& system, BlockOf<Law>& block, std::size_t number, PairInputs& inputs,
+                      Sweep<Law> const& sweep, F const& f) {
+  auto const pairs = system.neighbours.pairs(number);
+  prepare_pairs(system, sweep.law, block, pairs, sweep.noise.pairs, inputs);
+  auto const* const particles = block.particles().data();
+  for_each_group(pairs, block.size(), [&](LocalPair const* pair, std::size_t first, std::size_t count) {
+    Start const start = start_of(sweep.law, particles, pair);
+    f(pair, count, start.v, impulse(start, InputLanes<Law::across, FloatLanes>(inputs, first), sweep));
+  });
+}
+
+/// The block's part of the impulses of its particles.
+template <class Law>
+void add_impulses(System& system, std::size_t number, Sweep<Law> const& sweep) {
+  thread_local BlockOf<Law> block;
+  thread_local PairInputs inputs;
+  thread_local std::vector<Row> sums;
+  block.copy_in(system, number);
+  sums.assign(block.size() + 2, Row{});
+  for_each_impulse<Law>(
+      system, block, number, inputs, sweep,
+      [&](LocalPair const* pair, std::size_t count, VectorLanes<Lanes> const&, VectorLanes<Lanes> const& dp) {
+        auto const rows = to_rows({dp.x, dp.y, dp.z, Lanes{}});
+        for (std::size_t l = 0; l < count; ++l) {
+          sums[pair[l].i] += rows[l];
+          sums[pair[l].j] -= rows[l];
+        }
+      });
+  for_each_member(block.members(), [&](std::size_t local, Index i, Vec3 const&) {
+    Row const& sum = sums[local];
+    system.impulse[i] += Vec3{sum[0], sum[1], sum[2]};
+  });
+}
+
+/// The block's part of the heat of its particles, -(1/2) dp_ij (v_ij + (dp_i - dp_j)/2): with it the energy
+/// is conserved exactly, whatever the other pairs do.
+template <class Law>
+void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
+  thread_local FluctuatingBlock block;
+  thread_local PairInputs inputs;
+  thread_local std::vector<Vec3> total;
+  thread_local std::vector<double> heat;
+  block.copy_in(system, number);
+  total.assign(block.size() + 2, {}), heat.assign(block.size(), 0);
+  for_each_member(block.members(),
+                  [&](std::size_t local, Index i, Vec3 const&) { total[local] = system.impulse[i]; });
+  for_each_impulse<Law>(
+      system, block, number, inputs, sweep,
+      [&](LocalPair const* pair, std::size_t count, VectorLanes<Lanes> const& v,
+          VectorLanes<Lanes> const& dp) {
+        for (std::size_t l = 0; l < count; ++l) {
+          Vec3 const mean = Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * (total[pair[l].i] - total[pair[l].j]);
+          double const given = -0.5 * dot(Vec3{dp.x[l], dp.y[l], dp.z[l]}, mean);
+          heat[pair[l].i] += given, heat[pair[l].j] += given;
+        }
+      });
+  for_each_member(block.members(),
+                  [&](std::size_t local, Index i, Vec3 const&) { system.energy_gain[i] += heat[local]; });
+}
+
+/// Gives the impulses to particles without energies.
+void apply_impulses(System& system) {
+  for_each_range(system, [&](Range range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      system.particles.p[i] += system.impulse[i];
+  });
+}
+
+/// Gives impulses and heat to the particles.
+void apply(System& system) {
+  auto& particles = system.particles;
+  Failure failure;
+  for_each_range(system, [&](Range range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      particles.p[i] += system.impulse[i];
+      particles.eps[i] += system.energy_gain[i];
+      double const T = particles.caloric[i].T(system.energy_gain[i]);
+      if (!(T > 0))
+        failure.report(
+            particles.id[i],
+            fmt::format("fluctuation and dissipation (SER) took its internal energy to {:.6g} (in K "
+                        "k_B T), where its temperature is not positive; take a shorter time step",
+                        particles.eps[i]));
+      particles.T[i] = T;
+    }
+  });
+  system.stop_at(failure);
+}
+
+template <class Law>
+void fluctuate_ser(System& system, Law const& law, double dt, bool second) {
+  system.impulse.assign(system.size(), {});
+  Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
+  auto const& grid = system.neighbours.grid();
+  if constexpr (Law::has_energies)
+    system.energy_gain.assign(system.size(), 0);
+  for_each_block(grid, system.threads, [&](std::size_t block) { add_impulses(system, block, sweep); });
+  if constexpr (Law::has_energies) {
+    for_each_block(grid, system.threads, [&](std::size_t block) { add_heat(system, block, sweep); });
+    apply(system);
+  } else
+    apply_impulses(system);
+}
+
+} // namespace
+
+void fluctuate_ser(System& system, double dt, bool second) {
+  std::visit([&](auto const& law) { fluctuate_ser(system, law, dt, second); }, system.law);
+}
+
+} // namespace mesobridge::sdpd

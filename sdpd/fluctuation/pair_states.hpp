@@ -1,0 +1,46 @@
+#pragma once
+#include "sdpd/fluctuation/fluctuating_block.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Two particles of a block and the states that they have, or would have with more heat, by exact inversions
+/// of the equation of state.
+class PairStates {
+ public:
+  using States = std::array<ThermalState, 2>;
+
+  /// The particles and their places in memory. Throws PhysicsError when one has left the equation of state.
+  PairStates(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places)
+      : system_(system), particles_(particles), index_(places), now_(with(0, 0)) {}
+
+  FluctuatingParticle& operator[](std::size_t k) const { return *particles_[k]; }
+  States const& now() const { return now_; }
+  /// Throws PhysicsError when the equation of state has no such states.
+  States with(double heat_a, double heat_b) const { return {state(0, heat_a), state(1, heat_b)}; }
+
+ private:
+  ThermalState state(std::size_t k, double heat) const {
+    auto const& of = system_.particles;
+    Index const i = index_[k];
+    return system_.thermodynamics->state(of, i, of.eps[i] + particles_[k]->u + heat);
+  }
+
+  System const& system_;
+  std::array<FluctuatingParticle*, 2> particles_;
+  std::array<Index, 2> index_;
+  States now_;
+};
+
+/// The change of the logarithm of a law's invariant measure.
+template <class Law>
+double log_measure_change(PairStates::States const& from, PairStates::States const& to, double boltzmann) {
+  double change = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    change += (to[k].S - from[k].S) / boltzmann;
+    if constexpr (Law::measure_over_T)
+      change -= std::log(to[k].T / from[k].T);
+  }
+  return change;
+}
+
+} // namespace mesobridge::sdpd

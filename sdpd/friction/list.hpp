@@ -1,0 +1,12 @@
+#pragma once
+#include "sdpd/friction/dpd_law.hpp"
+#include "sdpd/friction/sdpd_friction.hpp"
+#include "sdpd/kernel/list.hpp"
+
+namespace mesobridge::sdpd {
+
+/// Every law of friction and noise; fluctuation and dissipation choose once, outside their loops.
+using AnyPairLaw = std::variant<SdpdLaw, DpdeLaw<Across::none>, DpdeLaw<Across::own>, DpdLaw<Across::none>,
+                                DpdLaw<Across::own>>;
+
+} // namespace mesobridge::sdpd

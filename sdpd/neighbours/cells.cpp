@@ -1,0 +1,139 @@
+#include "sdpd/neighbours/cells.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesobridge::sdpd {
+namespace {
+
+Index cells_along(double edge, double range) {
+  return static_cast<Index>(edge / range);
+}
+
+Box checked(Box const& box, double range) {
+  require_cells(box, range);
+  return box;
+}
+
+/// A stretch of cells begins at `begin` and owns the `width` gaps that follow: it holds width + 1 cells.
+struct Stretch {
+  Index begin, width;
+};
+
+/// Wide stretches fill the lanes of a sweep, because their pairs fall into fewer and longer matchings, and
+/// spare copies; beyond two cells the copies outgrow the first cache.
+constexpr Index best_width = 2;
+
+/// n cells along an edge in an even number of stretches, so that two colours serve: four or more where that
+/// is possible, so that threads have work at the same time.
+std::vector<Stretch> stretches(Index n) {
+  Index const most = n - n % 2, wanted = 2 * ((n + best_width) / (2 * best_width));
+  Index const count = std::clamp<Index>(wanted, std::min<Index>(4, most), most);
+  std::vector<Stretch> parts;
+  for (Index k = 0, begin = 0; k < count; begin += parts[k++].width)
+    parts.push_back({begin, n / count + (k < n % count ? 1 : 0)});
+  return parts;
+}
+
+/// The cells of a unit block, as steps along the three edges, in which every pair of touching cells occurs
+/// once as the block moves over the grid.
+constexpr std::array<std::array<unsigned, 2>, 14> unit_pairs{{{0, 0},
+                                                              {0, 1},
+                                                              {0, 2},
+                                                              {0, 3},
+                                                              {0, 4},
+                                                              {0, 5},
+                                                              {0, 6},
+                                                              {0, 7},
+                                                              {1, 2},
+                                                              {1, 4},
+                                                              {2, 4},
+                                                              {1, 6},
+                                                              {2, 5},
+                                                              {3, 4}}};
+
+/// Calls f(x, y, z) for 0 <= x < n[0] ..., x fastest.
+template <class F>
+void for_each_place(std::array<Index, 3> const& n, F const& f) {
+  for (Index z = 0; z < n[2]; ++z)
+    for (Index y = 0; y < n[1]; ++y)
+      for (Index x = 0; x < n[0]; ++x)
+        f(std::array<Index, 3>{x, y, z});
+}
+
+} // namespace
+
+void require_cells(Box const& box, double range) {
+  require(range > 0 && std::isfinite(range), "range of the interaction", range,
+          "must be > 0 and finite (reduced units)");
+  double cells = 1;
+  for (double const edge : {box.edge.x, box.edge.y, box.edge.z}) {
+    require(edge >= 2 * range && std::isfinite(edge), "box edge", edge,
+            fmt::format("must be at least twice the range of the interaction, {:.6g} (kernel support and "
+                        "skin, reduced units): take more particles",
+                        2 * range));
+    cells *= std::floor(edge / range);
+  }
+  require(cells <= std::numeric_limits<Index>::max(), "cells of the box", cells,
+          fmt::format("must be <= {}: its particles are too far apart for the range of their interaction",
+                      std::numeric_limits<Index>::max()));
+}
+
+CellGrid::CellGrid(Box box, double range)
+    : box_(checked(box, range)), n_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
+                                    cells_along(box.edge.z, range)} {
+  std::array<std::vector<Stretch>, 3> const along{stretches(n_[0]), stretches(n_[1]), stretches(n_[2])};
+  std::array<std::vector<Block>, 8> phases; // even and odd stretches along each edge
+  for_each_place({static_cast<Index>(along[0].size()), static_cast<Index>(along[1].size()),
+                  static_cast<Index>(along[2].size())},
+                 [&](std::array<Index, 3> const& at) {
+                   Stretch const x = along[0][at[0]], y = along[1][at[1]], z = along[2][at[2]];
+                   phases[at[0] % 2 + 2 * (at[1] % 2) + 4 * (at[2] % 2)].push_back(
+                       block_at({x.begin, y.begin, z.begin}, {x.width, y.width, z.width}));
+                 });
+  for (auto& phase : phases) {
+    std::move(phase.begin(), phase.end(), std::back_inserter(blocks_));
+    phase_begin_.push_back(blocks_.size());
+  }
+}
+
+Index CellGrid::cell_of(Vec3 const& q) const {
+  auto along = [](double value, double edge, Index n) {
+    return std::min(static_cast<Index>(value / edge * n), n - 1);
+  };
+  return (along(q.z, box_.edge.z, n_[2]) * n_[1] + along(q.y, box_.edge.y, n_[1])) * n_[0] +
+         along(q.x, box_.edge.x, n_[0]);
+}
+
+Block CellGrid::block_at(std::array<Index, 3> const& corner, std::array<Index, 3> const& width) {
+  std::array<double, 3> const edge{box_.edge.x, box_.edge.y, box_.edge.z};
+  Block block;
+  for_each_place({width[0] + 1, width[1] + 1, width[2] + 1}, [&](std::array<Index, 3> at) {
+    std::array<double, 3> shift{};
+    for (unsigned d = 0; d < 3; ++d)
+      if ((at[d] += corner[d]) == n_[d]) // leaving through a face means meeting the image on the other side
+        at[d] = 0, shift[d] = edge[d];
+    block.cell.push_back((at[2] * n_[1] + at[1]) * n_[0] + at[0]);
+    block.shift.push_back({shift[0], shift[1], shift[2]});
+  });
+  block.pairs = pairs_of(width);
+  return block;
+}
+
+std::span<CellPair const> CellGrid::pairs_of(std::array<Index, 3> const& width) {
+  auto& pairs = pairs_[width];
+  if (pairs.empty())
+    for_each_place(width, [&](std::array<Index, 3> const& at) {
+      auto place = [&](unsigned unit) {
+        return static_cast<std::uint8_t>(((at[2] + (unit >> 2)) * (width[1] + 1) + at[1] + (unit >> 1 & 1u)) *
+                                             (width[0] + 1) +
+                                         at[0] + (unit & 1u));
+      };
+      for (auto const& [a, b] : unit_pairs)
+        pairs.push_back({place(a), place(b)});
+    });
+  return pairs;
+}
+
+} // namespace mesobridge::sdpd

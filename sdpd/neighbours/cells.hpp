@@ -1,0 +1,58 @@
+#pragma once
+#include "md/box.hpp"
+#include "sdpd/state/particles.hpp"
+#include <array>
+#include <map>
+#include <span>
+
+namespace mesobridge::sdpd {
+
+/// Two cells of a block, by their places in it; the first may be the second.
+struct CellPair {
+  std::uint8_t a, b;
+};
+
+/// Some cells that hang together, two or three along each edge. `shift` brings a particle of a cell to the
+/// periodic image that is next to the others.
+struct Block {
+  std::vector<Index> cell;
+  std::vector<Vec3> shift;
+  std::span<CellPair const> pairs; ///< the pairs of its cells that belong to it
+};
+
+/// A grid of cells whose edges are at least the range of the interaction. The cells are covered by blocks
+/// that overlap by one cell; together the blocks hold every pair of touching cells once. Blocks come in
+/// phases: within one phase no two blocks share a cell, so that threads may treat them at the same time, and
+/// the result of a sweep depends on the order of the phases alone, not on the number of threads.
+class CellGrid {
+ public:
+  /// Throws InputError when an edge of the box is shorter than twice the range.
+  CellGrid(Box box, double range);
+  CellGrid(CellGrid&&) noexcept = default; // its blocks refer to its pairs
+  CellGrid& operator=(CellGrid&&) noexcept = default;
+
+  std::size_t cell_count() const { return std::size_t{n_[0]} * n_[1] * n_[2]; }
+  Index cell_of(Vec3 const& q_wrapped) const;
+
+  /// The blocks, phase after phase.
+  std::span<Block const> blocks() const { return blocks_; }
+  /// Phase k holds the blocks phase_begin()[k] ... phase_begin()[k+1]-1.
+  std::span<std::size_t const> phase_begin() const { return phase_begin_; }
+  std::size_t phase_count() const { return phase_begin_.size() - 1; }
+
+ private:
+  Block block_at(std::array<Index, 3> const& corner, std::array<Index, 3> const& width);
+  std::span<CellPair const> pairs_of(std::array<Index, 3> const& width);
+
+  Box box_;
+  std::array<Index, 3> n_;
+  std::map<std::array<Index, 3>, std::vector<CellPair>> pairs_; ///< by the widths of a block
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> phase_begin_{0};
+};
+
+/// Throws InputError when an edge of the box is shorter than twice the range, or when there are more cells of
+/// that range in it than can be counted.
+void require_cells(Box const& box, double range);
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,74 @@
+#pragma once
+#include "sdpd/conduction/heat_conduction.hpp"
+#include "sdpd/friction/list.hpp"
+#include "sdpd/neighbours/neighbours.hpp"
+#include "sdpd/potential/potential.hpp"
+#include "sdpd/state/pair_counts.hpp"
+#include "sdpd/thermodynamics/thermodynamics.hpp"
+#include "sdpd/threads/team.hpp"
+#include <algorithm>
+
+namespace mesobridge::sdpd {
+
+/// Everything that the sub-steps of a scheme work on: one fluid of particles of one size in a periodic box,
+/// in reduced units (theory sheet, Eq. 2.20), where masses are 1 and k_B = 1/K.
+struct System {
+  Box box;
+  std::unique_ptr<Thermodynamics const> thermodynamics; ///< none in DPD
+  AnyKernel kernel;                                     ///< SDPD
+  double self_density;                                  ///< what a particle adds to its own density
+  AnyPotential potential;                               ///< DPD, DPDE
+  AnyPairLaw law;                                       ///< friction and noise
+  AnyConduction conduction;                             ///< of heat, SDPD and DPDE
+  Neighbours neighbours;
+  Particles particles;
+  double boltzmann;
+  std::uint64_t seed;
+  int threads;
+  std::uint64_t step = 0;           ///< steps done; part of the noise's counter
+  double dt = 0;                    ///< time step under way, for messages
+  double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
+  std::uint64_t renewals = 0;       ///< of the lists, since the start
+  PairCounts pair_counts;           ///< since the start
+  PairCounts conduction_counts;     ///< the same of heat conduction
+  double kept_energy = 0;           ///< the total energy that Scheme::keep_energy restores
+  double potential_energy = 0;      ///< of the pair potential
+  std::vector<double> block_virial; ///< parts of both, kept so that no step allocates
+  std::vector<double> block_energy;
+  std::vector<double> energy_gain; ///< of the particles since their caloric expansions began, during a sweep
+  std::vector<Vec3> impulse;       ///< given to the particles by a sweep of SER
+
+  std::size_t size() const { return particles.size(); }
+
+  bool has_densities() const { return std::holds_alternative<SdpdLaw>(law); }
+  bool has_energies() const {
+    return std::visit([](auto const& of) { return of.has_energies; }, law);
+  }
+
+  /// Throws PhysicsError that names the particle, the step and the time step, if there was a failure.
+  void stop_at(Failure const& failure) const {
+    if (failure.any())
+      throw PhysicsError(fmt::format("particle {} at step {} (dt = {:.6g} reduced): {}", failure.id(), step,
+                                     dt, failure.message()));
+  }
+};
+
+/// Sets a quantity of all particles, each by the thread that works on it elsewhere, whose cache it stays in.
+template <class T>
+void set_all(System const& system, std::vector<T>& values, T const& value) {
+  values.resize(system.size());
+  for_each_index(values.size(), system.threads, [&](std::size_t i) { values[i] = value; });
+}
+
+/// Particles that are worked on by one thread at a time.
+inline constexpr std::size_t range_length = 512;
+
+/// Calls f(range) for all particles in parts, on all threads.
+template <class F>
+void for_each_range(System const& system, F&& f) {
+  for_each_index((system.size() + range_length - 1) / range_length, system.threads, [&](std::size_t k) {
+    f(Range{k * range_length, std::min((k + 1) * range_length, system.size())});
+  });
+}
+
+} // namespace mesobridge::sdpd

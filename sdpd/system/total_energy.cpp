@@ -1,0 +1,16 @@
+#include "sdpd/system/total_energy.hpp"
+#include "sdpd/system/sum_over_particles.hpp"
+
+namespace mesobridge::sdpd {
+
+double total_energy(System const& system) {
+  auto const& particles = system.particles;
+  if (!system.has_energies())
+    return system.potential_energy +
+           sum_over_particles(system, [&](std::size_t i) { return 0.5 * norm2(particles.p[i]); });
+  return system.potential_energy + sum_over_particles(system, [&](std::size_t i) {
+           return particles.eps[i] + 0.5 * norm2(particles.p[i]);
+         });
+}
+
+} // namespace mesobridge::sdpd
