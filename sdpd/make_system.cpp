@@ -93,7 +93,7 @@ System pair_fluid_system(SimulationSettings const& s) {
 std::unique_ptr<System> build(SimulationSettings const& s) {
   auto system = std::make_unique<System>(s.pair_fluid ? pair_fluid_system(s) : sdpd_system(s));
   system->dt = s.dt;
-  system->particles.resize(particle_count(s), system->has_energies(), system->has_densities());
+  system->particles.resize(particle_count(s), s.features());
   place_on_lattice(system->particles, s);
   if (s.noise)
     draw_momenta(system->particles, system->boltzmann, s.seed);

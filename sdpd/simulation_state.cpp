@@ -13,17 +13,17 @@ namespace mesobridge::sdpd {
 namespace {
 
 void check_lengths(Checkpoint const& c, Particles const& of) {
-  for (auto const length : {c.id.size(), c.q.size(), c.q_at_renewal.size(), c.p.size()})
+  for (auto const length :
+       {c.particles.id.size(), c.particles.q.size(), c.q_at_renewal.size(), c.particles.p.size()})
     require(length == of.size(), "particles in the checkpoint", length,
             fmt::format("must be {} as in the scene", of.size()));
-  for (auto const length : {c.eps.size(), c.T.size()})
-    require(length == of.eps.size(), "internal energies in the checkpoint", length,
-            fmt::format("must be {} as in the scene", of.eps.size()));
-  require(c.S.size() == of.S.size(), "entropies in the checkpoint", c.S.size(),
-          fmt::format("must be {} as in the scene", of.S.size()));
+  for (auto const& field : fields)
+    if (auto const length = (c.particles.*field.values).size(); field.checkpointed)
+      require(length == (of.*field.values).size(), fmt::format("values of {} in the checkpoint", field.name),
+              length, fmt::format("must be {} as in the scene", (of.*field.values).size()));
 }
 
-/// What is asked of positions and temperatures before cells are looked up by them.
+/// What is asked of positions and fields before cells are looked up by them.
 void check_values(Checkpoint const& c, Box const& box) {
   auto within = [](double value, double edge) { return value >= 0 && value <= edge; };
   for (auto const& q : c.q_at_renewal)
@@ -31,28 +31,40 @@ void check_values(Checkpoint const& c, Box const& box) {
             "a position in the checkpoint", fmt::format("({}, {}, {})", q.x, q.y, q.z),
             fmt::format("must be in the box of {} x {} x {}", box.edge.x, box.edge.y, box.edge.z));
   double const furthest = std::min({box.edge.x, box.edge.y, box.edge.z});
-  for (std::size_t i = 0; i < c.q.size(); ++i)
-    require(norm(c.q[i] - c.q_at_renewal[i]) <= furthest, "a way between two renewals in the checkpoint",
-            norm(c.q[i] - c.q_at_renewal[i]), fmt::format("must be at most the box's edge {}", furthest));
-  for (double const T : c.T)
-    require(T > 0, "a temperature in the checkpoint", T, "must be > 0");
+  for (std::size_t i = 0; i < c.particles.q.size(); ++i) {
+    double const way = norm(c.particles.q[i] - c.q_at_renewal[i]);
+    require(way <= furthest, "a way between two renewals in the checkpoint", way,
+            fmt::format("must be at most the box's edge {}", furthest));
+  }
+  for (auto const& field : fields)
+    for (double const value : c.particles.*field.values)
+      require(value > 0 || !field.positive, fmt::format("a value of {} in the checkpoint", field.name), value,
+              "must be > 0");
+}
+
+/// What a checkpoint keeps of the particles.
+void take_checkpointed(Particles& to, Particles const& from) {
+  to.id = from.id, to.q = from.q, to.p = from.p;
+  for (auto const& field : fields)
+    if (field.checkpointed)
+      to.*field.values = from.*field.values;
 }
 
 } // namespace
 
 Snapshot Simulation::snapshot() const {
   auto const& particles = system_->particles;
-  std::size_t const n = particles.size();
-  std::size_t const energies = particles.eps.size(), densities = particles.rho.size();
-  Snapshot s{std::vector<Vec3>(n),           std::vector<Vec3>(n),          std::vector<double>(energies),
-             std::vector<double>(densities), std::vector<double>(energies), std::vector<double>(densities)};
-  for (std::size_t i = 0; i < n; ++i) {
+  Snapshot s;
+  s.id.resize(size()), s.q.resize(size()), s.p.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
     auto const id = particles.id[i];
-    s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i];
-    if (energies > 0)
-      s.eps[id] = particles.eps[i], s.T[id] = particles.T[i];
-    if (densities > 0)
-      s.rho[id] = particles.rho[i], s.P[id] = particles.P[i];
+    s.id[id] = id, s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i];
+  }
+  for (auto const& field : fields) {
+    auto const& values = particles.*field.values;
+    (s.*field.values).resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      (s.*field.values)[particles.id[i]] = values[i];
   }
   return s;
 }
@@ -64,19 +76,15 @@ Snapshot Simulation::snapshot_with_virials() const {
 }
 
 Checkpoint Simulation::checkpoint() const {
-  auto const& particles = system_->particles;
   auto const renewed = system_->neighbours.positions_at_renewal();
-  return {system_->step,
-          particles.id,
-          particles.q,
-          {renewed.begin(), renewed.end()},
-          particles.p,
-          particles.eps,
-          particles.S,
-          particles.T,
-          system_->kept_energy,
-          system_->pair_counts,
-          system_->conduction_counts};
+  Checkpoint c{.step = system_->step,
+               .particles = {},
+               .q_at_renewal = {renewed.begin(), renewed.end()},
+               .kept_energy = system_->kept_energy,
+               .pair_counts = system_->pair_counts,
+               .conduction_counts = system_->conduction_counts};
+  take_checkpointed(c.particles, system_->particles);
+  return c;
 }
 
 void Simulation::restore(Checkpoint const& c) {
@@ -84,10 +92,10 @@ void Simulation::restore(Checkpoint const& c) {
   check_lengths(c, particles);
   check_values(c, box());
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
-  particles.id = c.id, particles.p = c.p, particles.eps = c.eps, particles.S = c.S, particles.T = c.T;
+  take_checkpointed(particles, c.particles);
   particles.q = c.q_at_renewal;
   system_->neighbours.renew(particles);
-  particles.q = c.q;
+  particles.q = c.particles.q;
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
@@ -97,7 +105,7 @@ void Simulation::restore(Checkpoint const& c) {
 void Simulation::begin_from(Checkpoint const& c) {
   auto& particles = system_->particles;
   check_lengths(c, particles);
-  particles.id = c.id, particles.q = c.q, particles.p = c.p, particles.eps = c.eps, particles.T = c.T;
+  take_checkpointed(particles, c.particles);
   system_->step = c.step;
   system_->neighbours.renew(particles);
   refresh(*system_);

@@ -11,6 +11,10 @@ double SimulationSettings::range() const {
   return pair_fluid ? pair_fluid->range() / units().length() : h_factor;
 }
 
+Features SimulationSettings::features() const {
+  return {.energies = !pair_fluid || pair_fluid->follows_energy(), .densities = !pair_fluid};
+}
+
 bool SimulationSettings::conducts() const {
   return pair_fluid ? pair_fluid->conduction.has_value() : kappa > 0;
 }

@@ -4,6 +4,7 @@
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/method/pair_fluid.hpp"
 #include "sdpd/scheme/scheme.hpp"
+#include "sdpd/state/particles.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <array>
 #include <optional>
@@ -41,9 +42,10 @@ struct SimulationSettings {
   std::optional<PairFluid> pair_fluid = {};
 
   ReducedUnits units() const;
-  double spacing() const; ///< mean distance between particles, reduced: 1 for SDPD
-  double range() const;   ///< of the interaction, reduced
-  bool conducts() const;  ///< whether particles exchange heat beside their friction
+  double spacing() const;    ///< mean distance between particles, reduced: 1 for SDPD
+  double range() const;      ///< of the interaction, reduced
+  Features features() const; ///< of the particles
+  bool conducts() const;     ///< whether particles exchange heat beside their friction
 };
 
 /// Throws InputError that names the quantity that is out of bounds.

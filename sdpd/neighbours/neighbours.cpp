@@ -141,8 +141,9 @@ void Neighbours::sort(Particles& particles) {
   auto each = [&]<class... T>(std::vector<T>&... values) {
     (reorder(values, std::get<std::vector<T>>(room_), order, threads_), ...);
   };
-  each(particles.id, particles.q, particles.p, particles.eps, particles.rho, particles.S, particles.T,
-       particles.P, particles.f, particles.caloric);
+  each(particles.id, particles.q, particles.p, particles.f, particles.caloric);
+  for (auto const& field : fields)
+    each(particles.*field.values);
 }
 
 void Neighbours::find_candidates(std::size_t block, std::span<Vec3 const> q) {

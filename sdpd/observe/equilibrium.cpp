@@ -65,9 +65,9 @@ ParticleMoments EquilibriumSampler::estimate(double InstantMoments::*mean,
 
 /// From the mean of 1/T where the instants are harmonic means themselves.
 cg::Estimate EquilibriumSampler::internal_temperature() const {
-  if (!observables_.energies)
+  if (!features_.energies)
     return {};
-  if (observables_.densities)
+  if (features_.densities)
     return cg::estimate_mean(T_int_);
   std::vector<double> inverse;
   for (double const T : T_int_)
@@ -79,16 +79,16 @@ cg::Estimate EquilibriumSampler::internal_temperature() const {
 Equilibrium EquilibriumSampler::result() const {
   require(times_.size() >= 32, "samples", times_.size(),
           "at least 32 are needed for errors: run longer or sample more often");
-  require(!observables_.energies || moments_.size() >= 16, "samples of the particles", moments_.size(),
+  require(!features_.energies || moments_.size() >= 16, "samples of the particles", moments_.size(),
           "at least 16 are needed for errors: run longer or sample more often");
   using M = InstantMoments;
   return {cg::estimate_mean(T_kin_),
           internal_temperature(),
           cg::estimate_mean(P_),
-          observables_.energies ? estimate(&M::eps_mean, &M::eps_variance) : ParticleMoments(),
-          observables_.densities ? estimate(&M::rho_mean, &M::rho_variance) : ParticleMoments(),
-          observables_.densities ? estimate(&M::P_mean, &M::P_variance) : ParticleMoments(),
-          observables_.densities ? cg::estimate_mean(at_instants(&M::pairing)) : cg::Estimate(),
+          features_.energies ? estimate(&M::eps_mean, &M::eps_variance) : ParticleMoments(),
+          features_.densities ? estimate(&M::rho_mean, &M::rho_variance) : ParticleMoments(),
+          features_.densities ? estimate(&M::P_mean, &M::P_variance) : ParticleMoments(),
+          features_.densities ? cg::estimate_mean(at_instants(&M::pairing)) : cg::Estimate(),
           energy_drift(times_, energies_)};
 }
 

@@ -24,12 +24,6 @@ struct ParticleMoments {
   cg::Estimate mean, variance;
 };
 
-/// What the particles of a method have: what it has not is not sampled, and its estimates stay zero.
-struct Observables {
-  bool energies = true;  ///< SDPD, DPDE
-  bool densities = true; ///< SDPD; without them T_int is a harmonic mean
-};
-
 /// What a run at equilibrium says, in reduced units.
 struct Equilibrium {
   cg::Estimate T_kin, T_int, P;
@@ -50,7 +44,7 @@ InstantMoments moments(Snapshot const& now);
 /// then.
 class EquilibriumSampler {
  public:
-  explicit EquilibriumSampler(Observables observables = {}) : observables_(observables) {}
+  explicit EquilibriumSampler(Features features = {}) : features_(features) {}
 
   void sample(double time, double energy, double T_kin, double T_int, double P);
   void sample(Observation const& now, double time) {
@@ -72,7 +66,7 @@ class EquilibriumSampler {
   cg::Estimate internal_temperature() const;
   ParticleMoments estimate(double InstantMoments::*mean, double InstantMoments::*variance) const;
 
-  Observables observables_;
+  Features features_;
   std::vector<double> times_, energies_, T_kin_, T_int_, P_;
   std::vector<InstantMoments> moments_;
 };

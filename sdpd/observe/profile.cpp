@@ -81,6 +81,9 @@ Profile profile(Snapshot const& now, Box const& box, Slices const& slices, doubl
       T = T > 0 ? 1 / T : 0;
   of.rho = means(densities, slice, of.number, [&](std::size_t i) { return now.rho[i]; });
   of.P_internal = means(densities, slice, of.number, [&](std::size_t i) { return now.P[i]; });
+  for (auto const& field : fields)
+    if (auto const& values = now.*field.values; field.profiled && !values.empty())
+      of.means.emplace_back(&field, means(true, slice, of.number, [&](std::size_t i) { return values[i]; }));
   of.P = of.P_internal;
   for (std::size_t s = 0; s < of.P.size(); ++s)
     of.P[s] += of.rho[s] * boltzmann * of.T_kin[s];

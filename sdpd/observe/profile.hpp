@@ -21,6 +21,8 @@ struct Profile {
   std::vector<double> T_kin;
   std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (theory sheet, sections 1, 2)
   std::vector<double> P_internal; ///< SDPD: mean of the particles' pressures
+  /// Means of the fields that are profiled under their own names, in the order of `fields`.
+  std::vector<std::pair<Field const*, std::vector<double>>> means;
   /// With what the moving particles carry, rho k_B T_kin / m. SDPD: beside P_internal. DPD, DPDE: beside the
   /// virials of the slice's particles over three times its volume; empty where the snapshot has none.
   std::vector<double> P;

@@ -1,16 +1,25 @@
 #pragma once
 #include "md/box.hpp"
 #include "sdpd/state/caloric.hpp"
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace mesobridge::sdpd {
 
 using Index = std::uint32_t;
 
-/// The particles of one size, as a structure of arrays in reduced units (mass 1). The order in memory follows
-/// the cells and changes when lists are renewed; `id` says who is who. Arrays that the method does not need
-/// are empty: DPDE has no densities, DPD no internal energies either.
+/// What particles have beside positions and momenta; the method decides.
+struct Features {
+  bool energies = true;  ///< SDPD, DPDE
+  bool densities = true; ///< SDPD; without them temperatures average harmonically
+};
+
+/// The particles as a structure of arrays in reduced units (mass 1). The order in memory follows the cells
+/// and changes when lists are renewed; `id` says who is who. Arrays that the method does not need are empty:
+/// DPDE has no densities, DPD no internal energies either. A scalar is a member here and a line of `fields`
+/// below.
 struct Particles {
   std::vector<std::uint32_t> id;
   std::vector<Vec3> q;     ///< position; leaves the box between two renewals of the lists
@@ -25,13 +34,61 @@ struct Particles {
 
   std::size_t size() const { return id.size(); }
 
-  void resize(std::size_t n, bool energies = true, bool densities = true) {
-    id.resize(n), q.resize(n), p.resize(n), f.resize(n);
-    if (energies)
-      eps.resize(n), T.resize(n), caloric.resize(n);
-    if (densities)
-      rho.resize(n), S.resize(n), P.resize(n);
-  }
+  void resize(std::size_t n, Features const& has = {});
 };
+
+/// The unit of a field.
+enum class Dimension { energy, density, entropy, temperature, pressure };
+
+/// A scalar of the particles, declared once: re-sorting, checkpoints, snapshots, histograms, profiles,
+/// trajectories and the estimate of the disk that a run takes go through the table.
+struct Field {
+  std::string_view name; ///< in scenes and, with the unit's key, in files
+  std::vector<double> Particles::*values;
+  Dimension dimension;
+  bool Features::*feature;   ///< who has it
+  bool checkpointed = false; ///< a run cannot go on without it: the others follow from these
+  bool written = false;      ///< in trajectories, and histograms may count it
+  bool profiled = false;     ///< profiles may show its mean over a slice, under its own name
+  bool positive = false;     ///< no other value makes sense
+};
+
+inline constexpr std::array fields{
+    Field{.name = "eps",
+          .values = &Particles::eps,
+          .dimension = Dimension::energy,
+          .feature = &Features::energies,
+          .checkpointed = true,
+          .written = true},
+    Field{.name = "rho",
+          .values = &Particles::rho,
+          .dimension = Dimension::density,
+          .feature = &Features::densities,
+          .written = true},
+    Field{.name = "S",
+          .values = &Particles::S,
+          .dimension = Dimension::entropy,
+          .feature = &Features::densities,
+          .checkpointed = true},
+    Field{.name = "T",
+          .values = &Particles::T,
+          .dimension = Dimension::temperature,
+          .feature = &Features::energies,
+          .checkpointed = true,
+          .written = true,
+          .positive = true},
+    Field{.name = "P",
+          .values = &Particles::P,
+          .dimension = Dimension::pressure,
+          .feature = &Features::densities,
+          .written = true},
+};
+
+inline void Particles::resize(std::size_t n, Features const& has) {
+  id.resize(n), q.resize(n), p.resize(n), f.resize(n);
+  for (auto const& field : fields)
+    (this->*field.values).resize(has.*field.feature ? n : 0);
+  caloric.resize(has.energies ? n : 0);
+}
 
 } // namespace mesobridge::sdpd

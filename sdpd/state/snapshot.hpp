@@ -1,15 +1,12 @@
 #pragma once
-#include "md/box.hpp"
-#include <vector>
+#include "sdpd/state/particles.hpp"
 
 namespace mesobridge::sdpd {
 
-/// Per-particle values in the order of the ids, reduced.
-struct Snapshot {
-  std::vector<Vec3> q; ///< in the box
-  std::vector<Vec3> p;
-  std::vector<double> eps, rho, T, P; ///< empty where the method has none
-  std::vector<double> virial = {};    ///< see observe/virials.hpp; empty unless it was asked for
+/// The particles in the order of their ids, with positions in the box; forces and caloric expansions are left
+/// out.
+struct Snapshot : Particles {
+  std::vector<double> virial; ///< see observe/virials.hpp; empty unless it was asked for
 };
 
 } // namespace mesobridge::sdpd

@@ -3,17 +3,45 @@
 
 namespace mesobridge::workflows {
 
+namespace {
+
+std::vector<std::string> methods_with(bool sdpd::Features::*feature) {
+  std::vector<std::string> methods;
+  for (auto const* method : {"sdpd", "dpde", "dpd"})
+    if (features_of(method).*feature)
+      methods.push_back(method);
+  return methods;
+}
+
+/// The fields of the particles that a list takes.
+std::vector<NamedQuantity> fields_with(bool sdpd::Field::*taken) {
+  std::vector<NamedQuantity> quantities;
+  for (auto const& field : sdpd::fields)
+    if (field.*taken)
+      quantities.push_back({std::string(field.name), methods_with(field.feature)});
+  return quantities;
+}
+
+} // namespace
+
+sdpd::Features features_of(std::string_view method) {
+  return {.energies = method != "dpd", .densities = method == "sdpd"};
+}
+
 std::vector<NamedQuantity> const& profile_quantities() {
-  static std::vector<NamedQuantity> const all{
-      {"rho", {"sdpd", "dpde", "dpd"}},   {"velocity", {"sdpd", "dpde", "dpd"}},
-      {"T_kin", {"sdpd", "dpde", "dpd"}}, {"T_int", {"sdpd", "dpde"}},
-      {"P_internal", {"sdpd"}},           {"P", {"sdpd", "dpde", "dpd"}}};
+  static auto const all = [] {
+    std::vector<NamedQuantity> of{{"rho", {"sdpd", "dpde", "dpd"}},   {"velocity", {"sdpd", "dpde", "dpd"}},
+                                  {"T_kin", {"sdpd", "dpde", "dpd"}}, {"T_int", {"sdpd", "dpde"}},
+                                  {"P_internal", {"sdpd"}},           {"P", {"sdpd", "dpde", "dpd"}}};
+    for (auto const& field : fields_with(&sdpd::Field::profiled))
+      of.push_back(field);
+    return of;
+  }();
   return all;
 }
 
 std::vector<NamedQuantity> const& histogram_quantities() {
-  static std::vector<NamedQuantity> const all{
-      {"eps", {"sdpd", "dpde"}}, {"T", {"sdpd", "dpde"}}, {"rho", {"sdpd"}}, {"P", {"sdpd"}}};
+  static auto const all = fields_with(&sdpd::Field::written);
   return all;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
+#include "sdpd/state/particles.hpp"
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mesobridge::workflows {
@@ -10,9 +12,12 @@ struct NamedQuantity {
   std::vector<std::string> methods;
 };
 
+/// What the particles of a method have.
+sdpd::Features features_of(std::string_view method);
+
 /// What a profile may show.
 std::vector<NamedQuantity> const& profile_quantities();
-/// What a histogram may count.
+/// What a histogram may count: the fields of the particles that are written.
 std::vector<NamedQuantity> const& histogram_quantities();
 
 std::vector<std::string> names_of(std::vector<NamedQuantity> const& quantities);

@@ -36,7 +36,7 @@ class Reader {
     return values;
   }
 
-  std::vector<double> doubles(char const* name, std::size_t count) const {
+  std::vector<double> doubles(std::string const& name, std::size_t count) const {
     auto const values = store_.read_doubles(name);
     require_that(values.size() == count,
                  fmt::format("'{}' holds {} numbers instead of {}", name, values.size(), count));
@@ -44,7 +44,7 @@ class Reader {
                  fmt::format("'{}' holds a number that is not finite", name));
     return values;
   }
-  std::vector<double> doubles_if_there(char const* name, std::size_t count) const {
+  std::vector<double> doubles_if_there(std::string const& name, std::size_t count) const {
     return store_.contains(name) ? doubles(name, count) : std::vector<double>();
   }
 
@@ -54,6 +54,16 @@ class Reader {
     for (std::size_t i = 0; i < count; ++i)
       result[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
     return result;
+  }
+
+  sdpd::Particles particles() const {
+    sdpd::Particles all;
+    all.id = ids();
+    all.q = vectors("q", all.size()), all.p = vectors("p", all.size());
+    for (auto const& field : sdpd::fields)
+      if (field.checkpointed)
+        all.*field.values = doubles_if_there(std::string(field.name), all.size());
+    return all;
   }
 
   /// Numbers of the particles: each from 0 on, once.
@@ -130,21 +140,19 @@ void keep_as_previous(std::filesystem::path const& file) {
 
 void write_datasets(Store& store, sdpd::Checkpoint const& c, Provenance const& provenance,
                     sdpd::EquilibrationProgress const& equilibration) {
-  std::size_t const n = c.id.size();
+  auto const& particles = c.particles;
+  std::size_t const n = particles.size();
   std::int64_t const step = static_cast<std::int64_t>(c.step);
-  std::vector<std::int64_t> const id(c.id.begin(), c.id.end());
+  std::vector<std::int64_t> const id(particles.id.begin(), particles.id.end());
   store.set_attribute("layout", "version", layout);
   store.write("step", std::span(&step, 1));
   store.write("id", id);
-  store.write("q", numbers(c.q), {n, 3});
+  store.write("q", numbers(particles.q), {n, 3});
   store.write("q_at_renewal", numbers(c.q_at_renewal), {n, 3});
-  store.write("p", numbers(c.p), {n, 3});
-  if (!c.eps.empty()) {
-    store.write("eps", c.eps);
-    store.write("T", c.T);
-  }
-  if (!c.S.empty())
-    store.write("S", c.S);
+  store.write("p", numbers(particles.p), {n, 3});
+  for (auto const& field : sdpd::fields)
+    if (auto const& values = particles.*field.values; field.checkpointed && !values.empty())
+      store.write(std::string(field.name), values);
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
   store.write("conduction_counts", integers(c.conduction_counts));
@@ -163,16 +171,11 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                                  "of the program",
                                  file.string()));
   Reader const reader(file);
-  auto const id = reader.ids();
-  auto const n = id.size();
+  auto particles = reader.particles();
+  auto const n = particles.size();
   return {.checkpoint = {.step = static_cast<std::uint64_t>(reader.integers("step", 1)[0]),
-                         .id = id,
-                         .q = reader.vectors("q", n),
+                         .particles = std::move(particles),
                          .q_at_renewal = reader.vectors("q_at_renewal", n),
-                         .p = reader.vectors("p", n),
-                         .eps = reader.doubles_if_there("eps", n),
-                         .S = reader.doubles_if_there("S", n),
-                         .T = reader.doubles_if_there("T", n),
                          .kept_energy = reader.doubles("kept_energy", 1)[0],
                          .pair_counts = reader.pair_counts("pair_counts"),
                          .conduction_counts = reader.pair_counts("conduction_counts")},

@@ -13,19 +13,27 @@ constexpr double text =
 
 /// How many particles' numbers a method has.
 struct Particle {
-  double scalars;    ///< eps, rho, T, P
+  double scalars;    ///< fields that are written
   double instants;   ///< of those, the ones that RunFile keeps of single particles
-  double checkpoint; ///< id, q, q_at_renewal, p; eps, T; S
+  double checkpoint; ///< id, q, q_at_renewal, p and the fields that are checkpointed
   double sample;     ///< columns of `thermodynamics`
   double moments;    ///< columns of `moments`
 };
 
+double count_fields(sdpd::Features const& has, bool sdpd::Field::*taken) {
+  return static_cast<double>(std::ranges::count_if(
+      sdpd::fields, [&](auto const& field) { return has.*field.feature && field.*taken; }));
+}
+
 Particle particle_of(Scene const& scene) {
-  if (scene.is_sdpd())
-    return {.scalars = 4, .instants = 3, .checkpoint = 13, .sample = 12, .moments = 7};
-  if (scene.method.name == "dpde")
-    return {.scalars = 2, .instants = 1, .checkpoint = 12, .sample = 12, .moments = 3};
-  return {.scalars = 0, .instants = 0, .checkpoint = 10, .sample = 10, .moments = 0};
+  auto const has = features_of(scene.method.name);
+  double const scalars = count_fields(has, &sdpd::Field::written),
+               checkpoint = 10 + count_fields(has, &sdpd::Field::checkpointed);
+  if (has.densities)
+    return {.scalars = scalars, .instants = 3, .checkpoint = checkpoint, .sample = 12, .moments = 7};
+  if (has.energies)
+    return {.scalars = scalars, .instants = 1, .checkpoint = checkpoint, .sample = 12, .moments = 3};
+  return {.scalars = scalars, .instants = 0, .checkpoint = checkpoint, .sample = 10, .moments = 0};
 }
 
 /// Rows that are written after so many steps each, and before the first.

@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/sdpd/last_step.hpp"
+#include <algorithm>
 #include <gsl/gsl_statistics_double.h>
 
 namespace mesobridge::workflows {
@@ -22,13 +23,9 @@ HistogramSeries::HistogramSeries(Store& store, Scene const& scene, OutputUnits c
       units_(units), last_step_(workflows::last_step(store, root + "/step")) {}
 
 HistogramSeries::Quantity HistogramSeries::find(std::string const& name, sdpd::Snapshot const& now) const {
-  if (name == "eps")
-    return {root + "/eps" + units_.energy_key, now.eps, units_.energy};
-  if (name == "T")
-    return {root + "/T" + units_.temperature_key, now.T, units_.temperature};
-  if (name == "rho")
-    return {root + "/rho" + units_.density_key, now.rho, units_.density};
-  return {root + "/P" + units_.pressure_key, now.P, units_.pressure};
+  auto const& field = *std::ranges::find(sdpd::fields, name, &sdpd::Field::name);
+  auto const [unit, key] = units_.of(field.dimension);
+  return {root + "/" + name + key, now.*field.values, unit};
 }
 
 /// Those of the file or, at the first histogram, those of its particles, which are written. They are kept as

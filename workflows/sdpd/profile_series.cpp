@@ -62,6 +62,9 @@ void ProfileSeries::append(std::string const& quantity, sdpd::Profile const& pro
     put(profile.P_internal, units_.pressure, units_.pressure_key);
   else if (quantity == "P")
     put(profile.P, units_.pressure, units_.pressure_key);
+  for (auto const& [field, means] : profile.means)
+    if (quantity == field->name)
+      put(means, units_.of(field->dimension).first, units_.of(field->dimension).second);
 }
 
 void ProfileSeries::append(sdpd::Snapshot const& now, Box const& box, std::uint64_t step, double time) {

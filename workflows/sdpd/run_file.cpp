@@ -20,8 +20,8 @@ std::int64_t last_step(Store const& store, std::string const& dataset, std::size
 }
 
 /// Columns of `moments`.
-std::vector<std::string> moment_names(sdpd::Observables const& observables) {
-  if (!observables.densities)
+std::vector<std::string> moment_names(sdpd::Features const& features) {
+  if (!features.densities)
     return {"step", "eps_mean", "eps_variance"};
   return {"step",         "eps_mean", "eps_variance", "rho_mean",
           "rho_variance", "P_mean",   "P_variance",   "pairing_fraction"};
@@ -29,42 +29,42 @@ std::vector<std::string> moment_names(sdpd::Observables const& observables) {
 
 } // namespace
 
-RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
+RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Features features,
                  Provenance const& provenance)
-    : RunFile(Store(file, Store::Mode::create, Store::Safety::marked), units, observables) {
+    : RunFile(Store(file, Store::Mode::create, Store::Safety::marked), units, features) {
   write_provenance(store_, provenance);
   store_.mark();
 }
 
 RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units,
-                               sdpd::Observables observables) {
-  RunFile run(Store(file, Store::Mode::append, Store::Safety::marked), units, observables);
+                               sdpd::Features features) {
+  RunFile run(Store(file, Store::Mode::append, Store::Safety::marked), units, features);
   run.last_row_ = last_step(run.store_, "thermodynamics", run.columns({}, 0).size());
-  run.last_instant_ = last_step(run.store_, "moments", moment_names(observables).size());
+  run.last_instant_ = last_step(run.store_, "moments", moment_names(features).size());
   return run;
 }
 
 void RunFile::refuse_gap(std::int64_t last_sample, std::int64_t last_instant) const {
   workflows::refuse_gap(store_.file(), "thermodynamics", last_row_, last_sample);
-  if (observables_.energies)
+  if (features_.energies)
     workflows::refuse_gap(store_.file(), "moments", last_instant_, last_instant);
 }
 
-std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Observables observables,
+std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Features features,
                                               sdpd::Observation const& now, double time) {
   std::vector<Column> all{{"step", static_cast<double>(now.step)},
                           {"time" + u.time_key, time * u.time},
                           {"kinetic_energy" + u.energy_key, now.kinetic * u.energy}};
-  if (observables.energies)
+  if (features.energies)
     all.push_back({"internal_energy" + u.energy_key, now.internal * u.energy});
-  if (!observables.densities)
+  if (!features.densities)
     all.push_back({"potential_energy" + u.energy_key, now.potential * u.energy});
   all.push_back({"energy" + u.energy_key, now.energy() * u.energy});
   all.push_back({"T_kin" + u.temperature_key, now.T_kin * u.temperature});
-  if (observables.energies)
+  if (features.energies)
     all.push_back({"T_int" + u.temperature_key, now.T_int * u.temperature});
   all.push_back({"P" + u.pressure_key, now.P * u.pressure});
-  if (observables.densities)
+  if (features.densities)
     all.push_back({"rho" + u.density_key, now.rho * u.density});
   all.push_back({"momentum_x" + u.momentum_key, now.momentum.x * u.momentum});
   all.push_back({"momentum_y" + u.momentum_key, now.momentum.y * u.momentum});
@@ -72,9 +72,9 @@ std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Observ
   return all;
 }
 
-std::vector<std::string> RunFile::column_names(OutputUnits const& units, sdpd::Observables observables) {
+std::vector<std::string> RunFile::column_names(OutputUnits const& units, sdpd::Features features) {
   std::vector<std::string> names;
-  for (auto const& column : columns(units, observables, {}, 0))
+  for (auto const& column : columns(units, features, {}, 0))
     names.push_back(column.name);
   return names;
 }
@@ -97,11 +97,11 @@ void RunFile::append(sdpd::Observation const& now, double time) {
 void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, std::uint64_t step) {
   if (static_cast<std::int64_t>(step) <= last_instant_)
     return;
-  if (!observables_.energies)
+  if (!features_.energies)
     return;
   // Each mean and variance in the engine's reduced units: what a resumed run reads back must be the same
   // number.
-  auto const names = moment_names(observables_);
+  auto const names = moment_names(features_);
   std::vector<double> row{static_cast<double>(step),
                           m.eps_mean,
                           m.eps_variance,
@@ -119,7 +119,7 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
     return result;
   };
   store_.append("particles/eps", scaled(now.eps, units_.energy), {count});
-  if (observables_.densities) {
+  if (features_.densities) {
     store_.append("particles/rho", scaled(now.rho, units_.density), {count});
     store_.append("particles/P", scaled(now.P, units_.pressure), {count});
   }
@@ -146,7 +146,7 @@ std::optional<cg::Estimate> RunFile::mean(std::string const& column) const {
 }
 
 sdpd::EquilibriumSampler RunFile::replay() const {
-  sdpd::EquilibriumSampler sampler(observables_);
+  sdpd::EquilibriumSampler sampler(features_);
   auto const all = columns({}, 0);
   auto place = [&](std::string const& name) {
     for (std::size_t c = 0; c < all.size(); ++c)
@@ -162,9 +162,9 @@ sdpd::EquilibriumSampler RunFile::replay() const {
     sampler.sample(
         rows[r + 1] / units_.time, rows[r + energy] / units_.energy, rows[r + T_kin] / units_.temperature,
         T_int < all.size() ? rows[r + T_int] / units_.temperature : 0, rows[r + P] / units_.pressure);
-  if (!observables_.energies)
+  if (!features_.energies)
     return sampler;
-  std::size_t const width = moment_names(observables_).size();
+  std::size_t const width = moment_names(features_).size();
   auto const instants = store_.read_doubles("moments");
   for (std::size_t r = 0; r < instants.size(); r += width) {
     std::vector<double> row(instants.begin() + static_cast<std::ptrdiff_t>(r),

@@ -18,13 +18,13 @@ namespace mesobridge::workflows {
 /// skipped, and those that a run which was killed wrote after its last mark() are gone.
 class RunFile {
  public:
-  RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Observables observables,
+  RunFile(std::filesystem::path const& file, OutputUnits const& units, sdpd::Features features,
           Provenance const& provenance);
   static RunFile continue_file(std::filesystem::path const& file, OutputUnits const& units,
-                               sdpd::Observables observables);
+                               sdpd::Features features);
 
   /// The columns of `thermodynamics`, in their order.
-  static std::vector<std::string> column_names(OutputUnits const& units, sdpd::Observables observables);
+  static std::vector<std::string> column_names(OutputUnits const& units, sdpd::Features features);
 
   /// Throws InputError when the last rows are older than those of these steps (see workflows::refuse_gap).
   void refuse_gap(std::int64_t last_sample, std::int64_t last_instant) const;
@@ -56,23 +56,23 @@ class RunFile {
   static constexpr std::size_t stored_particles = 5000;
 
  private:
-  RunFile(Store store, OutputUnits const& units, sdpd::Observables observables)
-      : store_(std::move(store)), units_(units), observables_(observables) {}
+  RunFile(Store store, OutputUnits const& units, sdpd::Features features)
+      : store_(std::move(store)), units_(units), features_(features) {}
 
   /// One column of `thermodynamics`.
   struct Column {
     std::string name;
     double value; ///< in the scene's units
   };
-  static std::vector<Column> columns(OutputUnits const& units, sdpd::Observables observables,
+  static std::vector<Column> columns(OutputUnits const& units, sdpd::Features features,
                                      sdpd::Observation const& now, double time);
   std::vector<Column> columns(sdpd::Observation const& now, double time) const {
-    return columns(units_, observables_, now, time);
+    return columns(units_, features_, now, time);
   }
 
   Store store_;
   OutputUnits units_;
-  sdpd::Observables observables_;
+  sdpd::Features features_;
   std::int64_t last_row_ = -1, last_instant_ = -1; ///< steps of the last rows
 };
 

@@ -33,7 +33,7 @@ std::int64_t thermo_every(Scene::Run const& run) {
 
 RunLog::RunLog(std::filesystem::path const& file, bool resume, std::string const& command, Scene const& scene,
                sdpd::SimulationSettings const& settings, std::function<void(std::string const&)> tell)
-    : file_(file), units_(settings.units(), scene.units), observables_(observables_of(settings)),
+    : file_(file), units_(settings.units(), scene.units), features_(settings.features()),
       si_(scene.units == UnitSystem::SI), dt_(settings.dt),
       particles_(static_cast<double>(scene.particles.N)), every_(thermo_every(scene.run)),
       tell_(std::move(tell)) {
@@ -49,9 +49,9 @@ void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
   if (!titled_) {
     auto title =
         fmt::format("{:>12}", "Step") + column("Time", si_ ? "s" : "") + column("T_kin", si_ ? "K" : "");
-    title += observables_.energies ? column("T_int", si_ ? "K" : "") : "";
+    title += features_.energies ? column("T_int", si_ ? "K" : "") : "";
     title += column("P", si_ ? "Pa" : "");
-    title += observables_.densities ? column("rho", si_ ? "kg/m^3" : "") : "";
+    title += features_.densities ? column("rho", si_ ? "kg/m^3" : "") : "";
     title += column("E/N", si_ ? "J" : "");
     write(title + "\n");
     if (tell_)
@@ -61,10 +61,10 @@ void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
   auto text = fmt::format("{:>12}", observed.step);
   add(text, static_cast<double>(done) * dt_ * units_.time);
   add(text, observed.T_kin * units_.temperature);
-  if (observables_.energies)
+  if (features_.energies)
     add(text, observed.T_int * units_.temperature);
   add(text, observed.P * units_.pressure);
-  if (observables_.densities)
+  if (features_.densities)
     add(text, observed.rho * units_.density);
   add(text, observed.energy() / particles_ * units_.energy);
   write(text + "\n");

@@ -33,7 +33,7 @@ class RunLog {
 
   std::filesystem::path file_;
   OutputUnits units_;
-  sdpd::Observables observables_;
+  sdpd::Features features_;
   bool si_;
   double dt_, particles_;
   std::int64_t every_;

@@ -4,10 +4,9 @@
 namespace mesobridge::workflows {
 namespace {
 
-RunFile open_run_file(std::filesystem::path const& file, OutputUnits const& units,
-                      sdpd::Observables observables, Provenance const& provenance, bool resume) {
-  return resume ? RunFile::continue_file(file, units, observables)
-                : RunFile(file, units, observables, provenance);
+RunFile open_run_file(std::filesystem::path const& file, OutputUnits const& units, sdpd::Features features,
+                      Provenance const& provenance, bool resume) {
+  return resume ? RunFile::continue_file(file, units, features) : RunFile(file, units, features, provenance);
 }
 
 bool is_due(std::int64_t done, std::int64_t every) {
@@ -22,7 +21,7 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
     : units_(units), dt_(settings.dt), sample_every_(scene.run.sample_every),
       instants_every_(instants_every(scene.run)), profile_every_(scene.profile.every),
       histogram_every_(scene.histogram.every),
-      run_file_(open_run_file(RunFolder(folder).run_file(), units, observables_of(settings), provenance,
+      run_file_(open_run_file(RunFolder(folder).run_file(), units, settings.features(), provenance,
                               before.has_value())),
       profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
                                                                   units, 1 / settings.K)

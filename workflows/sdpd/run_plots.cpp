@@ -96,12 +96,11 @@ std::string drawing_name(std::string text) {
 }
 
 std::string key_of(std::string const& quantity, OutputUnits const& units) {
-  if (quantity == "rho")
-    return units.density_key;
+  if (auto const field = std::ranges::find(sdpd::fields, quantity, &sdpd::Field::name);
+      field != sdpd::fields.end())
+    return units.of(field->dimension).second;
   if (quantity == "velocity")
     return units.velocity_key;
-  if (quantity == "eps")
-    return units.energy_key;
   return quantity.starts_with("T") ? units.temperature_key : units.pressure_key;
 }
 
@@ -149,7 +148,7 @@ std::vector<double> thinned(std::vector<double> const& values, std::size_t most)
 
 std::vector<Plot> time_series_plots(std::filesystem::path const& run_file, RunResult const& run) {
   OutputUnits const units(run.settings.units(), run.scene.units);
-  auto const names = RunFile::column_names(units, observables_of(run.settings));
+  auto const names = RunFile::column_names(units, run.settings.features());
   auto const rows = Store(run_file, Store::Mode::read).read_doubles("thermodynamics");
   auto const time_axis = axis_of("time" + units.time_key);
   auto const time = scaled(column(rows, names, "time" + units.time_key), time_axis.factor);

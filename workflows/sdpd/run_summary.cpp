@@ -18,7 +18,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   auto const& scene = result.scene;
   auto const& settings = result.settings;
   auto const& e = result.equilibrium;
-  auto const observables = observables_of(settings);
+  auto const features = settings.features();
   auto in = [](cg::Estimate const& estimate, double unit) {
     return cg::Estimate{estimate.mean * unit, estimate.se * unit, estimate.n_eff};
   };
@@ -26,7 +26,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   json["title"] = scene.title;
   json["n"] = simulation.size();
   json["method"] = scene.method.name;
-  if (observables.densities)
+  if (features.densities)
     json["K"] = settings.K;
   json["dt_reduced"] = settings.dt;
   json["dt" + units.time_key] = settings.dt * units.time;
@@ -37,23 +37,23 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   if (!calibration.is_null())
     json["density_calibration"] = calibration;
   put(json, "T_kin" + units.temperature_key, in(e.T_kin, units.temperature));
-  if (observables.energies)
+  if (features.energies)
     put(json, "T_int" + units.temperature_key, in(e.T_int, units.temperature));
   put(json, "P" + units.pressure_key, in(e.P, units.pressure));
-  if (observables.densities) {
+  if (features.densities) {
     put(json, "rho" + units.density_key, in(e.rho.mean, units.density));
     put(json, "rho_variance", in(e.rho.variance, units.density * units.density));
     put(json, "P_internal" + units.pressure_key, in(e.P_i.mean, units.pressure));
     put(json, "pairing_fraction", e.pairing);
   }
-  if (observables.energies) {
+  if (features.energies) {
     put(json, "e" + units.specific_energy_key, in(e.eps.mean, units.specific_energy));
     put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
     put(json, "energy_drift_per" + (units.time_key.empty() ? "_time" : units.time_key),
         cg::Estimate{e.drift.rate / units.time, e.drift.se / units.time, 8});
   }
   for (std::string const energy : {"kinetic_energy", "potential_energy"})
-    if (auto const mean = file.mean(energy + units.energy_key); mean && !observables.densities)
+    if (auto const mean = file.mean(energy + units.energy_key); mean && !features.densities)
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
   put_rejections(json, "rejected", simulation.pair_counts());

@@ -23,15 +23,15 @@ std::string run_text(RunResult const& result) {
   auto const& [scene, e] = std::tie(result.scene, result.equilibrium);
   bool const si = scene.units == UnitSystem::SI;
   OutputUnits const units(result.settings.units(), scene.units);
-  auto const observables = observables_of(result.settings);
+  auto const features = result.settings.features();
   std::string const T_unit = si ? "K" : "", rho_unit = si ? "kg/m^3" : "";
   std::string text = line("T_kin", e.T_kin, units.temperature, T_unit, set(scene.fluid.T, T_unit));
-  if (observables.energies)
+  if (features.energies)
     text += line("T_int", e.T_int, units.temperature, T_unit);
   text += line("P", e.P, units.pressure, si ? "Pa" : "");
-  if (observables.densities)
+  if (features.densities)
     text += line("rho", e.rho.mean, units.density, rho_unit, set(scene.fluid.rho, rho_unit));
-  if (observables.energies) {
+  if (features.energies) {
     text += line("e", e.eps.mean, units.specific_energy, si ? "J/kg" : "");
     constexpr double ps = 1e-12;
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",

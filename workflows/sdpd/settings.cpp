@@ -46,11 +46,6 @@ sdpd::Scheme scheme_of(Scene const& scene) {
           .keep_energy = of.energy == "kept"};
 }
 
-sdpd::Observables observables_of(sdpd::SimulationSettings const& settings) {
-  auto const& fluid = settings.pair_fluid;
-  return {.energies = !fluid || fluid->follows_energy(), .densities = !fluid};
-}
-
 sdpd::DensityCorrection density_correction_of(Scene const& scene) {
   auto const& particles = scene.particles;
   if (particles.density_scale && particles.density_self)
@@ -105,13 +100,30 @@ int available_threads() {
 
 OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
     : time(reduced.time()), length(reduced.length()), velocity(reduced.velocity()), energy(reduced.energy()),
-      specific_energy(reduced.specific_energy()), temperature(reduced.temperature),
-      pressure(reduced.pressure()), density(reduced.density), momentum(reduced.mass() * reduced.velocity()) {
+      specific_energy(reduced.specific_energy()), entropy(reduced.energy() / reduced.temperature),
+      temperature(reduced.temperature), pressure(reduced.pressure()), density(reduced.density),
+      momentum(reduced.mass() * reduced.velocity()) {
   if (system == UnitSystem::lj)
     return;
-  time_key = "_s", length_key = "_m", velocity_key = "_m_s", energy_key = "_J", specific_energy_key = "_J_kg",
-  temperature_key = "_K", pressure_key = "_Pa";
+  entropy_key = "_J_K", time_key = "_s", length_key = "_m", velocity_key = "_m_s", energy_key = "_J",
+  specific_energy_key = "_J_kg", temperature_key = "_K", pressure_key = "_Pa";
   density_key = "_kg_m3", momentum_key = "_kg_m_s";
+}
+
+std::pair<double, std::string> OutputUnits::of(sdpd::Dimension dimension) const {
+  switch (dimension) {
+  case sdpd::Dimension::energy:
+    return {energy, energy_key};
+  case sdpd::Dimension::density:
+    return {density, density_key};
+  case sdpd::Dimension::entropy:
+    return {entropy, entropy_key};
+  case sdpd::Dimension::temperature:
+    return {temperature, temperature_key};
+  case sdpd::Dimension::pressure:
+    return {pressure, pressure_key};
+  }
+  throw std::logic_error("a dimension without a unit");
 }
 
 } // namespace mesobridge::workflows

@@ -13,8 +13,6 @@ fitting::AnyEos eos_of(Scene const& scene);
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
 
-/// What the particles of a method have.
-sdpd::Observables observables_of(sdpd::SimulationSettings const& settings);
 /// Mean number of particles within the kernel's support, the particle itself with them.
 double neighbours_of(double h_factor);
 
@@ -39,11 +37,14 @@ int available_threads();
 /// Factors from the engine's reduced units to those of the scene, and the ends of the keys that go with them:
 /// "_K" in SI, nothing in Lennard-Jones units.
 struct OutputUnits {
-  double time, length, velocity, energy, specific_energy, temperature, pressure, density, momentum;
-  std::string time_key, length_key, velocity_key, energy_key, specific_energy_key, temperature_key,
-      pressure_key, density_key, momentum_key;
+  double time, length, velocity, energy, specific_energy, entropy, temperature, pressure, density, momentum;
+  std::string time_key, length_key, velocity_key, energy_key, specific_energy_key, entropy_key,
+      temperature_key, pressure_key, density_key, momentum_key;
 
   OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system);
+
+  /// Of a field of the particles: the factor, and the end of its key.
+  std::pair<double, std::string> of(sdpd::Dimension dimension) const;
 };
 
 } // namespace mesobridge::workflows

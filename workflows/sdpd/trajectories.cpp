@@ -22,17 +22,15 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
                       .positions = std::move(now.q),
                       .velocities = std::move(now.p),
                       .scalars = {}};
-  auto add = [&](std::string const& name, std::vector<double>& values, double unit) {
-    if (values.empty()) // a quantity that the method does not have
-      return;
+  for (auto const& field : sdpd::fields) {
+    auto& values = now.*field.values;
+    if (!field.written || values.empty()) // a quantity that the method does not have
+      continue;
+    auto const [unit, key] = units.of(field.dimension);
     for (double& value : values)
       value *= unit;
-    frame.scalars.emplace_back(name, std::move(values));
-  };
-  add("eps" + units.energy_key, now.eps, units.energy);
-  add("rho" + units.density_key, now.rho, units.density);
-  add("T" + units.temperature_key, now.T, units.temperature);
-  add("P" + units.pressure_key, now.P, units.pressure);
+    frame.scalars.emplace_back(std::string(field.name) + key, std::move(values));
+  }
   return frame;
 }
 

@@ -26,7 +26,7 @@ class TrialRun {
  public:
   TrialRun(Trial const& trial, sdpd::Checkpoint const& start)
       : trial_(trial), settings_(settings_of(trial.scene, 1)), simulation_(settings_),
-        sampler_(observables_of(settings_)) {
+        sampler_(settings_.features()) {
     simulation_.begin_from(start);
     counts_at_start_ = simulation_.pair_counts();
   }
@@ -208,7 +208,7 @@ TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
 }
 
 EnergyBins bins_around(sdpd::Checkpoint const& start, double K) {
-  auto const& eps = start.eps;
+  auto const& eps = start.particles.eps;
   if (eps.empty())
     return {};
   double const mean = gsl_stats_mean(eps.data(), 1, eps.size()), sd = gsl_stats_sd(eps.data(), 1, eps.size());

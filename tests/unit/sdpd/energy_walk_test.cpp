@@ -43,8 +43,8 @@ TEST(EnergyWalk, RefusesShortSeries) {
   EXPECT_THROW(drift_from_energy_walk(walk.times, walk.energies, 4, 1, 1), InputError);
 }
 
-// 3/0.4 rounds up to a lag of 8 samples: 256 samples are 102 units of time, which is 34 lags of 3, but not more
-// than 32 of 8 samples.
+// 3/0.4 rounds up to a lag of 8 samples: 256 samples are 102 units of time, which is 34 lags of 3, but not
+// more than 32 of 8 samples.
 TEST(EnergyWalk, SaysHowManySamplesItNeeds) {
   std::vector<double> times, energies;
   for (int k = 0; k < 257; ++k)

@@ -153,12 +153,9 @@ TEST(Profile, ShowsTheWavesThatTheFluidWasGiven) {
 }
 
 TEST(Profile, SaysWhereThereIsNothing) {
-  Snapshot now{.q = {{0.5, 0, 0}, {0.6, 0, 0}, {3.5, 0, 0}},
-               .p = {{1, 0, 0}, {3, 0, 0}, {5, 0, 0}},
-               .eps = {},
-               .rho = {},
-               .T = {},
-               .P = {}};
+  Snapshot now;
+  now.q = {{0.5, 0, 0}, {0.6, 0, 0}, {3.5, 0, 0}};
+  now.p = {{1, 0, 0}, {3, 0, 0}, {5, 0, 0}};
   auto const of = profile(now, {{4, 1, 1}}, {0, 4}, 1);
   EXPECT_EQ(of.number, (std::vector<std::int64_t>{2, 0, 0, 1}));
   EXPECT_EQ(of.rho, (std::vector<double>{2, 0, 0, 1}));
