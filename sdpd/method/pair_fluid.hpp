@@ -2,7 +2,7 @@
 #include "fitting/internal_energy.hpp"
 #include "sdpd/conduction/heat_conduction.hpp"
 #include "sdpd/friction/list.hpp"
-#include "sdpd/potential/potential.hpp"
+#include "sdpd/potential/list.hpp"
 #include "sdpd/state/units.hpp"
 #include <optional>
 

@@ -19,10 +19,9 @@ double maximum(double alpha) {
 
 Exp6::Exp6(double epsilon, double r_m, double alpha, double cutoff)
     : epsilon_(epsilon), r_m_(r_m), alpha_(alpha), cutoff_(cutoff), scale_(epsilon / (alpha - 6)) {
-  require(epsilon > 0 && std::isfinite(epsilon), "exp-6 epsilon", epsilon, "must be > 0 and finite");
-  require(r_m > 0 && std::isfinite(r_m), "exp-6 r_m", r_m, "must be > 0 and finite");
-  require(alpha > 7 && alpha <= 100, "exp-6 alpha", alpha,
-          "must be > 7, or the potential has no minimum, and <= 100");
+  potential_depth.check("exp-6", epsilon);
+  minimum.check("exp-6", r_m);
+  steepness.check("exp-6", alpha);
   inner_ = r_m * maximum(alpha);
   require(cutoff > inner_ && std::isfinite(cutoff), "exp-6 cutoff", cutoff,
           fmt::format("must be finite and > {:.6g}, where the potential has its maximum", inner_));

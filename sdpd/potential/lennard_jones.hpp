@@ -1,5 +1,5 @@
 #pragma once
-#include "md/error.hpp"
+#include "sdpd/potential/kind.hpp"
 #include "sdpd/potential/pair_force.hpp"
 
 namespace mesobridge::sdpd {
@@ -7,17 +7,26 @@ namespace mesobridge::sdpd {
 /// 4 epsilon [(sigma/r)^12 - (sigma/r)^6], cut at r_c and shifted to zero there.
 class LennardJones {
  public:
+  static constexpr Parameter zero{
+      .name = "sigma", .unit = Parameter::Unit::length, .meaning = "where it is zero", .above = true};
+
   LennardJones(double epsilon, double sigma, double cutoff)
       : epsilon_(epsilon), sigma_(sigma), cutoff_(cutoff) {
-    require(epsilon > 0 && std::isfinite(epsilon), "Lennard-Jones epsilon", epsilon,
-            "must be > 0 and finite");
-    require(sigma > 0 && std::isfinite(sigma), "Lennard-Jones sigma", sigma, "must be > 0 and finite");
-    require(cutoff > 0 && std::isfinite(cutoff), "Lennard-Jones cutoff", cutoff, "must be > 0 and finite");
+    potential_depth.check("Lennard-Jones", epsilon);
+    zero.check("Lennard-Jones", sigma);
+    potential_end.check("Lennard-Jones", cutoff);
     shift_ = (*this)(cutoff, 1 / cutoff).energy;
   }
   /// Weeks, Chandler and Andersen's: cut at its minimum, so that it only repels.
   static LennardJones wca(double epsilon, double sigma) {
     return {epsilon, sigma, std::pow(2.0, 1.0 / 6) * sigma};
+  }
+  static std::vector<PotentialKind<LennardJones>> kinds() {
+    return {{"lj",
+             "cut and shifted",
+             {potential_depth, zero, potential_end},
+             [](auto x) { return LennardJones(x[0], x[1], x[2]); }},
+            {"wca", "", {potential_depth, zero}, [](auto x) { return wca(x[0], x[1]); }}};
   }
   LennardJones in_units(double length, double energy) const {
     return {epsilon_ / energy, sigma_ / length, cutoff_ / length};

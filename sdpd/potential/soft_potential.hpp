@@ -1,5 +1,5 @@
 #pragma once
-#include "md/error.hpp"
+#include "sdpd/potential/kind.hpp"
 #include "sdpd/potential/pair_force.hpp"
 
 namespace mesobridge::sdpd {
@@ -8,9 +8,16 @@ namespace mesobridge::sdpd {
 /// (a r_c/2)(1 - r/r_c)^2 up to the cut-off r_c.
 class SoftPotential {
  public:
+  static constexpr Parameter largest_force{"a", Parameter::Unit::force, "largest force"};
+
   SoftPotential(double a, double cutoff) : a_(a), cutoff_(cutoff), inverse_cutoff_(1 / cutoff) {
-    require(a >= 0 && std::isfinite(a), "soft repulsion a", a, "must be >= 0 and finite");
-    require(cutoff > 0 && std::isfinite(cutoff), "soft repulsion cutoff", cutoff, "must be > 0 and finite");
+    largest_force.check("soft repulsion", a);
+    potential_end.check("soft repulsion", cutoff);
+  }
+  static std::vector<PotentialKind<SoftPotential>> kinds() {
+    return {{"soft", "the force a (1 - r/cutoff)", {largest_force, potential_end}, [](auto x) {
+               return SoftPotential(x[0], x[1]);
+             }}};
   }
   SoftPotential in_units(double length, double energy) const {
     return {a_ * length / energy, cutoff_ / length};

@@ -2,7 +2,7 @@
 #include "sdpd/conduction/heat_conduction.hpp"
 #include "sdpd/friction/list.hpp"
 #include "sdpd/neighbours/neighbours.hpp"
-#include "sdpd/potential/potential.hpp"
+#include "sdpd/potential/list.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include "sdpd/threads/team.hpp"

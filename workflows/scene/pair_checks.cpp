@@ -1,5 +1,7 @@
 #include "workflows/scene/pair_checks.hpp"
 #include "md/error.hpp"
+#include "sdpd/potential/list.hpp"
+#include "workflows/scene/keys/tables.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -27,16 +29,18 @@ void check_wanted(std::string const& what, std::string const& name, std::vector<
 }
 
 void check_potential(Scene const& scene, Places const& places) {
-  auto const& p = scene.potential;
-  check_wanted("potential.name", p.name,
-               {{"potential.a", p.a.has_value(), {"soft"}},
-                {"potential.epsilon", p.epsilon.has_value(), {"lj", "wca", "exp-6"}},
-                {"potential.sigma", p.sigma.has_value(), {"lj", "wca"}},
-                {"potential.r_m", p.r_m.has_value(), {"exp-6"}},
-                {"potential.alpha", p.alpha.has_value(), {"exp-6"}},
-                {"potential.cutoff", p.cutoff.has_value(), {"soft", "lj", "exp-6"}},
-                {"potential.file", p.file.has_value(), {"table"}}},
-               places);
+  auto const& potential = scene.potential;
+  std::vector<Wanted> keys;
+  for (auto const& parameter : potential_parameters()) {
+    std::vector<std::string> by;
+    for (auto const& kind : sdpd::potentials())
+      if (std::ranges::find(kind.parameters, parameter.name, &sdpd::Parameter::name) != kind.parameters.end())
+        by.emplace_back(kind.name);
+    keys.push_back(
+        {fmt::format("potential.{}", parameter.name), potential.parameters[parameter.name].has_value(), by});
+  }
+  keys.push_back({"potential.file", potential.file.has_value(), {"table"}});
+  check_wanted("potential.name", potential.name, keys, places);
 }
 
 void check_friction(Scene const& scene, Places const& places) {

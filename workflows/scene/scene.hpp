@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,28 @@ struct TimeStep {
   bool automatic = false; ///< the value is not known yet
 
   bool operator==(TimeStep const&) const = default;
+};
+
+/// Numbers by the names of the parameters that some law is made of.
+class ParameterValues {
+ public:
+  std::optional<double>& operator[](std::string_view name) {
+    return values_.try_emplace(std::string(name)).first->second;
+  }
+  std::optional<double> operator[](std::string_view name) const {
+    auto const found = values_.find(name);
+    return found == values_.end() ? std::nullopt : found->second;
+  }
+  bool operator==(ParameterValues const& other) const {
+    auto const holds = [](ParameterValues const& a, ParameterValues const& b) {
+      return std::ranges::all_of(a.values_,
+                                 [&](auto const& entry) { return b[entry.first] == entry.second; });
+    };
+    return holds(*this, other) && holds(other, *this);
+  }
+
+ private:
+  std::map<std::string, std::optional<double>, std::less<>> values_;
 };
 
 /// An equilibrium run of SDPD, DPDE or DPD as its scene file describes it. Quantities are in SI, or in
@@ -54,7 +78,7 @@ struct Scene {
   } transport;
   struct Potential { ///< dpd, dpde
     std::string name = "none";
-    std::optional<double> a, epsilon, sigma, r_m, alpha, cutoff;
+    ParameterValues parameters; ///< see sdpd::potentials()
     std::optional<std::string> file;
     bool operator==(Potential const&) const = default;
   } potential;

@@ -3,6 +3,7 @@
 #include "md/units.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
@@ -31,18 +32,14 @@ sdpd::TabulatedPotential tabulated_potential(Scene const& scene) {
 
 /// The scene's checks have seen to it that the keys that a potential needs are there.
 sdpd::AnyPotential potential_of(Scene const& scene) {
-  auto const& [name, a, epsilon, sigma, r_m, alpha, cutoff, file] = scene.potential;
-  if (name == "soft")
-    return sdpd::SoftPotential(*a, *cutoff);
-  if (name == "lj")
-    return sdpd::LennardJones(*epsilon, *sigma, *cutoff);
-  if (name == "wca")
-    return sdpd::LennardJones::wca(*epsilon, *sigma);
-  if (name == "exp-6")
-    return sdpd::Exp6(*epsilon, *r_m, *alpha, *cutoff);
-  if (name == "table")
+  if (scene.potential.name == "table")
     return tabulated_potential(scene);
-  return sdpd::NoPotential{};
+  auto const& kind =
+      *std::ranges::find(sdpd::potentials(), scene.potential.name, &sdpd::NamedPotential::name);
+  std::vector<double> values;
+  for (auto const& parameter : kind.parameters)
+    values.push_back(scene.potential.parameters[parameter.name].value());
+  return kind.make(values);
 }
 
 sdpd::AnyFrictionShape friction_of(Scene const& scene) {

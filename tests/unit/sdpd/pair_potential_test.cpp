@@ -71,12 +71,60 @@ TEST_P(EveryPotential, IsTheSameInOtherUnits) {
       GetParam().potential);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Potentials, EveryPotential,
-    ::testing::Values(Case{"soft", SoftPotential(25, 1), 0.1}, Case{"lj", LennardJones(1, 1, 2.5), 0.8},
-                      Case{"wca", LennardJones::wca(1, 1), 0.8}, Case{"exp6", Exp6(1, 1.12, 14, 2.5), 0.75},
-                      Case{"table", lj_table(false), 0.75}, Case{"table_with_force", lj_table(true), 0.75}),
-    [](auto const& info) { return info.param.name; });
+/// A value of a potential's parameter that suits the others.
+double usual(Parameter const& parameter) {
+  if (parameter.unit == Parameter::Unit::none)
+    return parameter.min > 0 ? 2 * parameter.min : 1;
+  return parameter.name == "cutoff" ? 2.5 : 1;
+}
+
+std::vector<double> usual_values(NamedPotential const& kind) {
+  std::vector<double> values;
+  for (auto const& parameter : kind.parameters)
+    values.push_back(usual(parameter));
+  return values;
+}
+
+/// Of the list, whatever is in it, and from tables.
+std::vector<Case> const& cases() {
+  static auto const all = [] {
+    std::vector<Case> of{{"table", lj_table(false), 0.75}, {"table_with_force", lj_table(true), 0.75}};
+    for (auto const& kind : potentials())
+      if (kind.name != "none")
+        of.push_back({kind.name.data(), kind.make(usual_values(kind)), 0.8});
+    return of;
+  }();
+  return all;
+}
+
+std::string name_of(testing::TestParamInfo<Case> const& info) {
+  std::string name = info.param.name;
+  std::erase_if(name, [](unsigned char c) { return !std::isalnum(c) && c != '_'; });
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Potentials, EveryPotential, ::testing::ValuesIn(cases()), name_of);
+
+TEST(PotentialKinds, RefuseWhatTheirParametersDoNotAllow) {
+  int refused = 0;
+  for (auto const& kind : potentials())
+    for (std::size_t k = 0; k < kind.parameters.size(); ++k) {
+      auto const& parameter = kind.parameters[k];
+      for (double const wrong :
+           {parameter.above ? parameter.min : parameter.min - 1, parameter.max * 1.01, std::nan("")}) {
+        auto values = usual_values(kind);
+        values[k] = wrong;
+        try {
+          kind.make(values);
+          ADD_FAILURE() << kind.name << ", " << parameter.name << " = " << wrong;
+        } catch (InputError const& error) {
+          EXPECT_NE(std::string(error.what()).find(parameter.name), std::string::npos) << error.what();
+          ++refused;
+        }
+      }
+    }
+  EXPECT_GE(refused, 33);
+}
 
 // Values on paper.
 TEST(PairPotential, HasItsTextbookValues) {

@@ -1,9 +1,12 @@
 #include "md/error.hpp"
 #include "scene_error.hpp"
+#include "sdpd/potential/list.hpp"
 #include "unit/workflows/scratch_directory.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
@@ -39,7 +42,7 @@ using tests::error_of, tests::replaced;
 TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
   auto const scene = parse_scene(dpde, "dpde.toml");
   EXPECT_EQ(scene.method.name, "dpde");
-  EXPECT_EQ(scene.potential.a, 25);
+  EXPECT_EQ(scene.potential.parameters["a"], 25);
   EXPECT_EQ(scene.friction.gamma_par, 4.5);
   EXPECT_EQ(scene.internal_energy.heat_capacity, 60);
   auto const resolved = resolved_toml(scene);
@@ -52,6 +55,44 @@ TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
   EXPECT_EQ(settings.dt, 0.01);
   EXPECT_DOUBLE_EQ(settings.spacing(), std::cbrt(1.0 / 3));
   EXPECT_NO_THROW(sdpd::check(settings));
+}
+
+// Whatever potential is in the list, a scene can name it, and every key that it needs, and no other.
+TEST(PairScene, TakesEveryPotentialByItsOwnKeys) {
+  int missing = 0, foreign = 0;
+  for (auto const& kind : sdpd::potentials()) {
+    std::vector<std::string> lines;
+    for (auto const& parameter : kind.parameters)
+      lines.push_back(fmt::format("{} = {}\n", parameter.name, parameter.min > 0 ? 2 * parameter.min : 1));
+    auto const with = [&](std::vector<std::string> const& given) {
+      return replaced(dpde, "name = \"soft\"\na = 25\ncutoff = 1\n",
+                      fmt::format("name = \"{}\"\n{}", kind.name, fmt::join(given, "")));
+    };
+    auto const scene = parse_scene(with(lines), "scene.toml");
+    EXPECT_TRUE(parse_scene(resolved_toml(scene), "resolved.toml") == scene) << kind.name;
+    EXPECT_NO_THROW(sdpd::check(settings_of(scene, 1))) << kind.name;
+    for (std::size_t k = 0; k < lines.size(); ++k, ++missing) {
+      auto some = lines;
+      some.erase(some.begin() + static_cast<std::ptrdiff_t>(k));
+      EXPECT_NE(error_of(with(some)).find(fmt::format("potential.{}' is missing", kind.parameters[k].name)),
+                std::string::npos)
+          << error_of(with(some));
+    }
+    auto const knows = [&](auto const& name) {
+      return std::ranges::find(kind.parameters, name, &sdpd::Parameter::name) != kind.parameters.end();
+    };
+    for (auto const& other : sdpd::potentials())
+      for (auto const& parameter : other.parameters)
+        if (!knows(parameter.name)) {
+          auto more = lines;
+          more.push_back(fmt::format("{} = 9\n", parameter.name));
+          EXPECT_NE(error_of(with(more)).find("belongs to potential.name"), std::string::npos)
+              << error_of(with(more));
+          ++foreign;
+        }
+  }
+  EXPECT_GE(missing, 11);
+  EXPECT_GE(foreign, 20);
 }
 
 /// The same fluid in SI: k_B T, m and r_c of some substance.

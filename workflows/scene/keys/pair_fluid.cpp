@@ -3,45 +3,10 @@
 
 namespace mesobridge::workflows {
 
-std::vector<SceneKey> pair_fluid_keys() {
+namespace {
+
+std::vector<SceneKey> friction_keys() {
   return {
-      Line(
-          "potential", "name", [](Scene& s) { return &s.potential.name; },
-          "potential between two particles: none; soft, the force a (1 - r/cutoff); lj, cut and shifted; "
-          "wca; "
-          "exp-6 (Buckingham), which refuses pairs inside its maximum; table, a CSV file")
-          .choices({"none", "soft", "lj", "wca", "exp-6", "table"})
-          .of(pair_methods),
-      Line(
-          "potential", "a", [](Scene& s) { return &s.potential.a; }, "largest force; soft")
-          .quantity(Dimension::force, not_negative)
-          .of(pair_methods),
-      Line(
-          "potential", "epsilon", [](Scene& s) { return &s.potential.epsilon; },
-          "depth of the minimum; lj, wca (before its shift), exp-6")
-          .quantity(Dimension::energy, positive)
-          .of(pair_methods),
-      Line(
-          "potential", "sigma", [](Scene& s) { return &s.potential.sigma; }, "where it is zero; lj, wca")
-          .quantity(Dimension::length, positive)
-          .of(pair_methods),
-      Line(
-          "potential", "r_m", [](Scene& s) { return &s.potential.r_m; }, "distance of the minimum; exp-6")
-          .quantity(Dimension::length, positive)
-          .of(pair_methods),
-      Line(
-          "potential", "alpha", [](Scene& s) { return &s.potential.alpha; }, "steepness; exp-6")
-          .in({.min = 7, .open = true, .max = 100})
-          .of(pair_methods),
-      Line(
-          "potential", "cutoff", [](Scene& s) { return &s.potential.cutoff; },
-          "where the potential ends and is shifted to zero; soft, lj, exp-6")
-          .quantity(Dimension::length, positive)
-          .of(pair_methods),
-      Line(
-          "potential", "file", [](Scene& s) { return &s.potential.file; },
-          "CSV with columns r,u and perhaps the force f (SI: r_m,u_J,f_N); table")
-          .of(pair_methods),
       Line(
           "friction", "gamma_par", [](Scene& s) { return &s.friction.gamma_par; },
           "friction along the line of centres at contact: gamma (1 - r/cutoff)^exponent, at the set "
@@ -99,6 +64,15 @@ std::vector<SceneKey> pair_fluid_keys() {
           "CSV with columns r,kappa (SI: r_m,kappa_W_K), in place of the above")
           .of({"dpde"}),
   };
+}
+
+} // namespace
+
+std::vector<SceneKey> pair_fluid_keys() {
+  auto all = potential_keys();
+  auto const others = friction_keys();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 } // namespace mesobridge::workflows
