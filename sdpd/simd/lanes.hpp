@@ -47,6 +47,13 @@ template <class X>
   return constant<Lanes>(value);
 }
 
+inline double sum(Lanes const& lanes) {
+  double total = 0;
+  for (std::size_t l = 0; l < lane_count; ++l)
+    total += lanes[l];
+  return total;
+}
+
 [[gnu::always_inline]] inline FloatLanes to_float(Lanes const& x) {
   return __builtin_convertvector(x, FloatLanes);
 }
