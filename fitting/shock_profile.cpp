@@ -162,8 +162,8 @@ ShockProfile shock_profile(Fluid const& fluid, Shock const& shock, Transport con
 
   // Against the flow, in the direction of travel; velocities in v_P, temperatures in their jump.
   auto const slope = [&](double const* y, double* dy) {
-    double const w = w_behind + v_P * y[0], T = behind.T + dT * y[1];
-    auto const state = flow.state(w, T);
+    double const w = w_behind + v_P * y[0];
+    auto const state = flow.state(w, flow.conducts() ? behind.T + dT * y[1] : behind.T);
     dy[0] = -flow.dw(state, w) / v_P;
     if (flow.conducts())
       dy[1] = -flow.dT(state, w) / dT;

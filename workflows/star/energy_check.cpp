@@ -15,8 +15,15 @@ constexpr double close_enough = 1e-3;
 /// forces that are not the run's, vary it as much as that.
 constexpr double most_wander = 0.2;
 
-double sd(std::vector<double> const& values) {
-  return gsl_stats_sd(values.data(), 1, values.size());
+/// In units of the largest value, whose square may be beyond all numbers.
+double sd(std::vector<double> values) {
+  auto const by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  double const largest = std::abs(*std::ranges::max_element(values, by_size));
+  if (largest == 0)
+    return 0;
+  for (double& value : values)
+    value /= largest;
+  return largest * gsl_stats_sd(values.data(), 1, values.size());
 }
 
 bool agree(double a, double b, double scale) {
