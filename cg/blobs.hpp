@@ -5,7 +5,7 @@
 
 namespace mesobridge::cg {
 
-/// One molecule as a blob, in the units of the run (theory sheet, section 6).
+/// One molecule as a blob, in the units of the run (cg/README.md, Eq. (C7)).
 struct Blob {
   Vec3 R;           ///< centre of mass, inside the box
   Vec3 P;           ///< momentum

@@ -38,8 +38,8 @@ struct CorrelationSettings {
   std::size_t pair_stride = 1; ///< frames between those whose pairs are looked at
 };
 
-/// All tests of the key approximation for a melt (theory sheet, section 6). Means are over all molecules and
-/// frames, errors by the jackknife over blocks in time.
+/// All tests of the key approximation for a melt (cg/README.md, Eq. (C8)-(C11)). Means are over all molecules
+/// and frames, errors by the jackknife over blocks in time.
 struct Correlations {
   MemoryTime tau_P, tau_U, tau_rho; ///< of momentum, intrinsic energy and local density
   double tau_R = 0;                 ///< time in which a centre diffuses by the mean distance of molecules
@@ -78,7 +78,7 @@ struct Correlations {
 /// shorter than 8 blocks of 6 autocorrelation times.
 Correlations correlations(BlobSeries const& series, CorrelationSettings const& settings);
 
-/// Lucy's kernel of range h in three dimensions (thesis, Eq. (1.14)).
+/// Lucy's kernel of range h in three dimensions (sdpd/README.md, Eq. (S3)).
 double lucy(double r, double h);
 
 } // namespace mesobridge::cg

@@ -19,7 +19,7 @@ struct EnergySamples {
   std::size_t count() const;
 };
 
-/// The routes from samples to S(U). All of them give the coefficients of the same entropy curve.
+/// The routes from samples to S(U) (cg/README.md, Eq. (C12)-(C14)), all to the coefficients of one curve.
 enum class EntropyRoute {
   density, ///< ln P(U) + beta U, by maximum likelihood; several temperatures together (as WHAM does)
   kinetic, ///< 1/T = (n/2 - 1)<1/E_kin>^U with n = 3N - 3, exact for a molecule of fixed momentum
@@ -47,8 +47,8 @@ struct EntropySettings {
 EntropyFit fit_entropy(std::span<EnergySamples const> samples, EntropyRoute route, int atoms,
                        EntropySettings const& settings);
 
-/// The thesis's estimator, Eq. (3.8): T(U) = 2<E_kin>^U/(3N), as a parabola through the samples. At fixed
-/// momentum it is low by about 1/N.
+/// The thesis's estimator (cg/README.md, Eq. (C13)): T(U) = 2<E_kin>^U/(3N), as a parabola through the
+/// samples. At fixed momentum it is low by about 1/N.
 class Equipartition {
  public:
   Equipartition(std::span<EnergySamples const> samples, int atoms);

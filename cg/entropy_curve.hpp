@@ -5,7 +5,7 @@ namespace mesobridge::cg {
 
 /// The entropy of a molecule as a function of its intrinsic energy, S/k_B = sum_j theta_j y^j with
 /// y = ln(U/U_ref)/width, j = 1 ... m. One term alone is a harmonic molecule, S = (C) ln U. Between U_low and
-/// U_high it was sampled; beyond, it goes on with the heat capacity of the border. k_B = 1.
+/// U_high it was sampled; beyond, the heat capacity is the border's. k_B = 1. (cg/README.md, Eq. (C15))
 class EntropyCurve {
  public:
   struct Basis {

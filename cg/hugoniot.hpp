@@ -25,7 +25,7 @@ struct HugoniotPoint {
 };
 
 /// The state at the density of `shocked` that a shock reaches from `initial`: the zero of
-/// h(T) = e - e0 - (P + P0)(1/rho0 - 1/rho)/2 (Rankine and Hugoniot), on straight lines e(T), P(T) through
+/// h(T) = e - e0 - (P + P0)(1/rho0 - 1/rho)/2 (cg/README.md, Eq. (C6)), on straight lines e(T), P(T) through
 /// states of different T, weighted by the error of h. v_P^2 = (P - P0)(1/rho0 - 1/rho), v_S = v_P rho/(rho -
 /// rho0). All errors come from those of e and P of each state and of the initial one, with their covariance
 /// in each run. Throws InputError for fewer than 2 temperatures or other densities, PhysicsError where h does

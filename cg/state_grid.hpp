@@ -29,9 +29,9 @@ struct StateGrid {
 
 /// Detects and cuts the equilibration, then estimates every quantity of the point with its standard error.
 /// The measured kinetic parts of U and P are replaced by the exact ones at the set temperature, which lowers
-/// the noise; so the samples must come from the canonical ensemble. rho, T, U and P in Lennard-Jones units.
-/// Throws InputError for fewer than 40 samples or a sample that is not finite, PhysicsError when fewer than
-/// 10 independent samples remain.
+/// the noise; so the samples must come from the canonical ensemble
+/// (cg/README.md, Eq. (C5)). In Lennard-Jones units. Throws InputError for fewer than 40
+/// samples or a sample that is not finite, PhysicsError when fewer than 10 independent samples remain.
 StatePoint analyse_state(double rho, double T, int atoms, std::span<md::ThermoSample const> samples);
 
 } // namespace mesobridge::cg

@@ -28,7 +28,7 @@ struct Solution {
   int iterations = 0;
 };
 
-/// The self-consistent equations of Ferrenberg and Swendsen, Phys. Rev. Lett. 63, 1195 (1989).
+/// The self-consistent equations of Ferrenberg and Swendsen (cg/README.md, Eq. (C14)).
 Solution solve(Sums const& counts, std::span<EnergySamples const> samples, std::vector<double> const& U) {
   std::size_t const sets = samples.size(), bins = U.size();
   std::vector<double> f(sets, 0.0), in_set(sets, 0.0), in_bin(bins, 0.0);

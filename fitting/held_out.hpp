@@ -12,7 +12,7 @@ struct HeldOut {
 
 /// For whitened data r of unit noise and the hat matrix H of the fit at a fixed prior, the rows of one group
 /// left out together have prediction errors (I - H_gg)^-1 (r - H r)_g with covariance (I - H_gg)^-1: exact,
-/// by the matrix inversion lemma.
+/// by the matrix inversion lemma (fitting/README.md, Eq. (F20)).
 inline HeldOut hold_out(Eigen::MatrixXd const& H, Eigen::VectorXd const& residual,
                         std::vector<Eigen::Index> const& group) {
   Eigen::MatrixXd const rest =

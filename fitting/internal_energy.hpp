@@ -5,7 +5,7 @@
 
 /// Internal states of particles that have no density of their own (DPDE): entropy and temperature as
 /// functions of the internal energy alone. Energies are counted in k_B times the unit of temperature,
-/// entropies and heat capacities in k_B, so that one model serves SI (kelvin) and reduced units alike.
+/// entropies and heat capacities in k_B: one model serves all units (fitting/README.md, Eq. (F21)).
 namespace mesobridge::fitting {
 
 /// C everywhere: eps = C T, S = C ln eps.

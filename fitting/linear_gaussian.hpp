@@ -12,7 +12,7 @@ struct LinearPosterior {
 };
 
 /// Bayesian linear regression of whitened data: r = A u + noise of unit variance, u ~ N(0, w^2 I), for any
-/// prior width w > 0, by one singular value decomposition (MacKay, Neural Comput. 4 (1992) 415).
+/// prior width w > 0, by one singular value decomposition (fitting/README.md, Eq. (F19)).
 class LinearGaussian {
  public:
   /// A: data x parameters; r: data. Throws InputError when an entry is not finite.

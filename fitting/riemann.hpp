@@ -20,7 +20,7 @@ struct FlowState {
 /// The exact solution of the Riemann problem: two half spaces of any fluids, at rest or moving, that are in
 /// contact from t = 0 on. A wave runs into either: a shock (Rankine-Hugoniot relations) or a rarefaction
 /// (isentrope, u changes by the integral of c drho/rho); between them lie equal pressures and velocities on
-/// both sides of the contact. See Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, chapter 4,
+/// both sides of the contact (fitting/README.md, Eq. (F16)). See Toro's book, chapter 4,
 /// for the ideal gas; nothing here is special to it.
 ///
 /// Throws PhysicsError when the sides move apart so fast that the pressure between them would not stay

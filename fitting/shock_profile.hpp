@@ -26,8 +26,8 @@ struct ShockProfile {
   double thickness;                 ///< v_P over the steepest slope of v
 };
 
-/// Solves the one-dimensional steady Navier-Stokes equations in the frame of the shock (theory sheet, section
-/// 5; thesis (5.1), where 4 eta/3 + zeta is misprinted as eta). With the flow velocity w = v_S - v, the mass
+/// Solves the one-dimensional steady Navier-Stokes equations in the frame of the shock (fitting/README.md,
+/// Eq. (F17); the thesis's (5.1) has eta for 4 eta/3 + zeta). With the flow velocity w = v_S - v, the mass
 /// flux m = rho w and mu = 4 eta/3 + zeta, along the flow:
 ///   m w + P - mu w' = m v_S + P_0,
 ///   m (e + w^2/2) + (P - mu w') w - kappa T' = m (e_0 + v_S^2/2) + P_0 v_S.

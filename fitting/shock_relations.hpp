@@ -5,7 +5,7 @@
 namespace mesobridge::fitting {
 
 /// A steady plane shock or detonation that runs at v_S into matter at rest and leaves it moving at v_P.
-/// It obeys the Rankine-Hugoniot relations (theory sheet, section 5; thesis (6.1)):
+/// It obeys the Rankine-Hugoniot relations (fitting/README.md, Eq. (F14)):
 ///   rho_1 (v_S - v_P) = rho_0 v_S,   P_1 = P_0 + rho_0 v_S v_P,
 ///   e_1 = e_0 + q + (P_0 + P_1)(1/rho_0 - 1/rho_1)/2.
 struct Shock {

@@ -20,7 +20,7 @@ struct HugoniostatSample {
 
 /// Samples the state behind a shock of a given pressure by LAMMPS's `fix nphug`: a crystal under a barostat
 /// that is the same in all directions, whose thermostat drives it towards e - e0 = (P + P0)(1/rho0 - 1/rho)/2
-/// (Ravelo et al., Phys. Rev. B 70, 014103 (2004)). A second way to the Hugoniot curve, beside states of the
+/// (md/README.md, Eq. (M6)). A second way to the Hugoniot curve, beside states of the
 /// canonical ensemble. Steps, seed and time step as in `settings`. `consume` gets each sample; false stops
 /// the run, and then this returns false. Throws InputError as `check`, LammpsError.
 bool sample_hugoniostat(MpiWorld const& world, ShockTarget const& target, MetalSettings const& settings,

@@ -65,7 +65,7 @@ void check(LjState state, LjFluidSettings const& settings);
 /// Samples the canonical ensemble of one state: melts a lattice, equilibrates, samples. The thermostat is
 /// Langevin's, which is ergodic and acts on all 3N momenta (none is constrained, so T = 2K/3N without a
 /// correction), in the Gronbech-Jensen-Farago discretisation, whose positions carry no time step error in a
-/// harmonic well (Mol. Phys. 111, 983 (2013)). With Ranks::all every rank calls this and the consumers of
+/// harmonic well (md/README.md, Eq. (M3)). With Ranks::all every rank calls this and the consumers of
 /// rank 0 are the ones asked. Returns false when a consumer stopped the run. Throws InputError as `check`,
 /// LammpsError, and PhysicsError when the lattice did not melt.
 bool sample_lj_fluid(MpiWorld const& world, Ranks ranks, LjState state, LjFluidSettings const& settings,

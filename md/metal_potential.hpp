@@ -14,7 +14,7 @@ std::string_view name_of(Lattice lattice);
 Lattice lattice_of(std::string const& name);
 
 /// One element of an embedded-atom potential file: E = sum_i F(n_i) + sum_{i<j} phi(r_ij), n_i = sum_j
-/// f(r_ij).
+/// f(r_ij) (md/README.md, Eq. (M5)).
 struct MetalPotential {
   std::filesystem::path file;
   std::string style; ///< LAMMPS's pair style: "eam", "eam/alloy" or "eam/fs"

@@ -13,8 +13,8 @@ struct HarmonicBond {
 };
 
 /// An N_b-N_m star: one centre and N_b arms of N_m beads, all of mass 1, in Lennard-Jones units. Every two
-/// beads repel each other by the WCA potential, bonded ones too. The bonds are those of the thesis, section
-/// 3.2. Atom 0 is the centre; bead j of arm a (from 0) is atom 1 + a N_m + j.
+/// beads repel each other by the WCA potential, bonded ones too. The bonds are those of the thesis
+/// (md/README.md, Eq. (M7)). Atom 0 is the centre; bead j of arm a (from 0) is atom 1 + a N_m + j.
 struct StarPolymer {
   int arms = 6;                 ///< N_b, 1 ... 12
   int beads = 3;                ///< N_m, 1 ... 24

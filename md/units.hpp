@@ -22,7 +22,7 @@ struct LjUnits {
   double time() const { return sigma / velocity(); }                    ///< [s]
 };
 
-/// Argon as the thesis takes it (section 5.1.2), with the mass m0 corrected to 6.64e-26 kg.
+/// Argon as the thesis takes it, with the mass m0 corrected to 6.64e-26 kg (md/README.md, Eq. (M1)).
 inline constexpr LjUnits argon_units{.sigma = 3.405e-10, .epsilon = 1.657e-21, .mass = 6.64e-26};
 
 } // namespace mesobridge

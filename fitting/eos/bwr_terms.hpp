@@ -6,7 +6,7 @@
 
 namespace mesobridge::fitting::bwr {
 
-/// Functions of density in the modified Benedict-Webb-Rubin free energy (theory sheet, section 4):
+/// Functions of density in the modified Benedict-Webb-Rubin free energy (fitting/README.md, Eq. (F8)):
 /// rho^i/i for i = 1...8, then G_1 ... G_6 with G_i' = F rho^(2i-1), F = exp(-gamma rho^2).
 inline constexpr int polynomials = 8;
 inline constexpr int exponentials = 6;

@@ -54,8 +54,8 @@ class CentreOfMassFreeIsochore {
   double r_, T_min_, T_max_;
 };
 
-/// The equation of state of the inner degrees of freedom of a particle of K atoms (theory sheet,
-/// section 8.3). The particle's centre of mass, which moves in the simulation, carries (3/2) k_B T and the
+/// The equation of state of the inner degrees of freedom of a particle of K atoms (fitting/README.md,
+/// Eq. (F13)). The particle's centre of mass, which moves in the simulation, carries (3/2) k_B T and the
 /// pressure k_B T/V already; here they are taken from the bulk's, so that totals do not depend on K. Per unit
 /// mass, m0 the mass of one atom:
 ///   f_K(rho, T) = f(rho, T) - (k_B/(K m0)) T (ln rho - 3/2 ln T).

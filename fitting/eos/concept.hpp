@@ -31,7 +31,7 @@ concept Isochore = requires(I const& isochore, double x, double T_guess) {
 };
 
 /// An equation of state is a value type that holds one fundamental relation; the rest derives from it
-/// (entropy s(e, rho), pressure, temperature ... per unit mass, theory sheet section 4).
+/// (entropy s(e, rho), pressure, temperature ... per unit mass; fitting/README.md, Eq. (F1)).
 template <class E>
 concept EquationOfState = requires(E const& eos, double a, double rho) {
   { eos.isochore(rho) } -> Isochore;

@@ -25,7 +25,7 @@ inline constexpr HzParameters nitromethane_parameters{.Gamma_0 = 1,
                                                       .P_0 = 1e5,
                                                       .m0 = 61.04 * atomic_mass};
 
-/// The HZ equation of state (thesis (6.10); theory sheet, section 4), per unit mass, x = 1 - rho_0/rho:
+/// The HZ equation of state (fitting/README.md, Eq. (F5)), per unit mass, x = 1 - rho_0/rho:
 ///   s = c_v ln[(e - E_ref)/c_v + theta] + c_v Gamma_0 rho_0/rho,  hence T = theta + (e - E_ref)/c_v,
 ///   P = rho^2 E_ref' + Gamma_0 rho_0 (e - E_ref),  theta = (T_0 - T_00) exp(Gamma_0 x),
 ///   E_ref = (c_0^2/2) x^2/(1 - s x) * {1 + s x/3 - s (Gamma_0 - s) x^2/6 for x >= 0; 1 for x < 0},

@@ -43,7 +43,7 @@ class BasicIdealGasIsochore {
 
 /// Ideal gas of molecules with `dof` quadratic degrees of freedom (3: monatomic). Per unit mass,
 ///   s(e, rho) = c_v ln e - (k_B/m0) ln rho,   c_v = (dof/2) k_B/m0,
-/// so P = (gamma - 1) rho e with gamma = 1 + 2/dof. Theory sheet, section 4, (4.7) corrected there.
+/// so P = (gamma - 1) rho e with gamma = 1 + 2/dof. fitting/README.md, Eq. (F2).
 /// The logarithms are of the numbers in the model's units: s = 0 at e = 1, rho = 1.
 class IdealGas {
  public:

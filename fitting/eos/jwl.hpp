@@ -31,8 +31,8 @@ inline constexpr JwlParameters nitromethane_products_parameters{.Gamma_0 = 0.3,
                                                                 .R_2 = 1.2,
                                                                 .m0 = 61.04 * atomic_mass};
 
-/// The Jones-Wilkins-Lee equation of state of detonation products (thesis (6.11); theory sheet, section 4,
-/// where the printed 1/m in K is corrected), per unit mass, v = rho_0/rho:
+/// The Jones-Wilkins-Lee equation of state of detonation products (fitting/README.md, Eq. (F6), where the
+/// 1/m that the thesis prints in K is corrected), per unit mass, v = rho_0/rho:
 ///   s = c_v ln[(e - E_k)/c_v] - c_v Gamma_0 ln rho,  hence T = (e - E_k)/c_v,
 ///   P = P_k + Gamma_0 rho (e - E_k),  P_k = a exp(-R_1 v) + b exp(-R_2 v) + K v^-(Gamma_0+1),
 ///   E_k = [a exp(-R_1 v)/R_1 + b exp(-R_2 v)/R_2 + K v^-Gamma_0/Gamma_0]/rho_0 + C_ek.

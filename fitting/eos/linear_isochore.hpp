@@ -7,7 +7,7 @@
 
 namespace mesobridge::fitting {
 
-/// What a model with constant heat capacity c_v says about one density, all per unit mass:
+/// What a model with constant heat capacity c_v says about one density (fitting/README.md, Eq. (F3)):
 ///   e = E + c_v T,   P = rho^2 E' + c_v rho Gamma T,   s = c_v (ln T - phi),   rho phi' = Gamma.
 /// Each such model (Mie-Gruneisen, HZ, JWL, stiffened gas) is the pair of functions E(rho), phi(rho). Models
 /// that are stated by a reference curve E_k, P_k at the temperature T_k(rho), with d ln T_k/d ln rho = Gamma,

@@ -17,8 +17,8 @@ inline constexpr LjBwrSet lj_bwr_1993{.x = lj_bwr_1993_parameters,
                                       .T_max = 100,
                                       .rho_max = 1.3};
 
-/// The Lennard-Jones fluid by the modified Benedict-Webb-Rubin equation (Johnson, Zollweg, Gubbins 1993;
-/// theory sheet, section 4), with constant heat capacity below T_low. The fundamental relation is A(rho, T);
+/// The Lennard-Jones fluid by the modified Benedict-Webb-Rubin equation (fitting/README.md, Eq. (F8)), with
+/// constant heat capacity below T_low (Eq. (F9)). The fundamental relation is A(rho, T);
 /// entropies count from the ideal gas at rho* = T* = 1. With units: SI; without: Lennard-Jones units, per
 /// atom.
 ///

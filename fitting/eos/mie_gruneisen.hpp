@@ -31,8 +31,8 @@ inline constexpr MieGruneisenParameters tin_parameters{.Gamma_0 = 2.8,
                                                        .N_s = 5.4,
                                                        .m0 = 118.71 * atomic_mass};
 
-/// The Mie-Gruneisen equation of state (Heuze, C. R. Mecanique 340 (2012) 679; thesis (6.2), theory sheet,
-/// section 4), per unit mass:
+/// The Mie-Gruneisen equation of state (Heuze, C. R. Mecanique 340 (2012) 679; fitting/README.md,
+/// Eq. (F4)), per unit mass:
 ///   s = c_v ln[1 + (e - E_k)/(c_v Theta u_r)],  hence T = Theta u_r + (e - E_k)/c_v,
 ///   P = P_k + Gamma rho (e - E_k),  P_k = K_s [exp((N_s+1) y) - 1]/(N_s+1),  y = 1 - rho_s/rho,
 ///   E_k = (K_s/rho_s) [exp((N_s+1) y)/(N_s+1)^2 - y/(N_s+1)],

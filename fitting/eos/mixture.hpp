@@ -9,7 +9,7 @@
 
 namespace mesobridge::fitting {
 
-/// How the volumes of the parts make that of the mixture (theory sheet, section 4).
+/// How the volumes of the parts make that of the mixture (fitting/README.md, Eq. (F12)).
 enum class VolumeLaw {
   additive_volume, ///< 1/rho = (1 - lambda)/rho_0 + lambda/rho_1: the parts lie beside each other
   paper            ///< rho = (1 - lambda) rho_0 + lambda rho_1, thesis (6.7)
@@ -31,8 +31,8 @@ struct MixtureState {
 };
 
 /// Reactant (0) and product (1) at the progress lambda in [0, 1], in mechanical and thermal equilibrium:
-/// equal T and P, e = (1 - lambda) e_0 + lambda e_1 (theory sheet, section 4; thesis (6.6)-(6.8)). At lambda
-/// = 0 and 1 the pure equation of state answers.
+/// equal T and P, e = (1 - lambda) e_0 + lambda e_1 (fitting/README.md, Eq. (F12)). At lambda = 0
+/// and 1 the pure equation of state answers.
 ///
 /// With additive volumes T, P and c follow from the one entropy s = (1 - lambda) s_0 + lambda s_1, which is
 /// maximal at the equilibrium: T ds = de + P dv holds, and a scheme that relies on it conserves energy. With

@@ -19,7 +19,7 @@ inline constexpr StiffenedGasParameters water_parameters{
     .gamma = 1.19, .P_inf = 6.2178e8, .c_v = 3610, .q = -1177788, .m0 = 18.015 * atomic_mass, .b = 6.7212e-4};
 
 /// The stiffened gas of Noble and Abel (an ideal gas under the inner pressure P_inf, of molecules that take
-/// the volume b; b = 0: the plain stiffened gas), per unit mass, v = 1/rho:
+/// the volume b; b = 0: the plain stiffened gas; fitting/README.md, Eq. (F7)), per unit mass, v = 1/rho:
 ///   e = q + c_v T + P_inf (v - b),  P = (gamma - 1)(e - q)/(v - b) - gamma P_inf,
 ///   s = c_v [ln T + (gamma - 1) ln(v - b)],  c^2 = gamma v^2 (P + P_inf)/(v - b).
 /// The logarithms are of the numbers in K and m^3/kg.

@@ -59,8 +59,8 @@ struct TemperatureSeries {
   }
 };
 
-/// The same series, continued below T_low with a constant heat capacity C(T) = C(T_low) (thesis,
-/// section 5.1.2):
+/// The same series, continued below T_low with a constant heat capacity C(T) = C(T_low)
+/// (fitting/README.md, Eq. (F9)):
 ///   e = e_low + C (T - T_low),  s = s_low + C ln(T/T_low),  A = e - T s.
 /// The continuation is linear in the coefficients; hence the series of the pressure and of its density
 /// derivative continue by the same formula, and all stay derivatives of one free energy.

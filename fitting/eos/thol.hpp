@@ -5,7 +5,7 @@
 namespace mesobridge::fitting {
 
 /// The Lennard-Jones fluid of Thol, Rutkai, Koester, Lustig, Span, Vrabec, J. Phys. Chem. Ref. Data 45
-/// (2016) 023101, tables 2 and 3: with delta = rho/0.31 and tau = 1.32/T,
+/// (2016) 023101, tables 2 and 3 (fitting/README.md, Eq. (F11)): delta = rho/0.31 and tau = 1.32/T,
 ///   A_res/T = sum_{6} n tau^t delta^d + sum_{6} n tau^t delta^d exp(-delta^l)
 ///           + sum_{11} n tau^t delta^d exp[-eta (delta - epsilon)^2 - beta (tau - gamma)^2].
 struct Thol {

@@ -11,7 +11,7 @@ struct HeatStep {
   X mean, variance;
 };
 
-/// Conduction between SDPD particles of mass 1 (theory sheet, section 1):
+/// Conduction between SDPD particles of mass 1 (sdpd/README.md, Eq. (S20)):
 ///     d eps_i = K_ij (T_j - T_i) dt + (2 k_B K_ij T_i T_j)^(1/2) dW = -d eps_j,   K_ij = 2 kappa chi_ij,
 /// with the weight chi_ij = F_ij/(rho_i rho_j) and the fluid's thermal conductivity kappa (reduced units,
 /// > 0). Leaves f(eps_i + eps_j) exp((S_i + S_j)/k_B) / (T_i T_j) alone. Without noise, k_B = 0.
@@ -35,7 +35,7 @@ struct SdpdConduction {
   }
 };
 
-/// Conduction between DPDE particles, driven by the inverse temperatures (theory sheet, section 1):
+/// Conduction between DPDE particles, driven by the inverse temperatures (sdpd/README.md, Eq. (S21)):
 ///     d eps_i = w (1/T_i - 1/T_j) dt + (2 k_B w)^(1/2) dW = -d eps_j
 /// with a weight w >= 0, kappa chi^2, of the pair's distance. Leaves f(eps_i + eps_j) exp((S_i + S_j)/k_B)
 /// alone.

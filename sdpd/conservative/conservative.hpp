@@ -1,8 +1,8 @@
 #pragma once
 #include "sdpd/system/system.hpp"
 
-/// The sub-steps of the conservative dynamics: Velocity Verlet at constant entropies (theory sheet, sections
-/// 2, 3).
+/// The sub-steps of the conservative dynamics: Velocity Verlet at constant entropies (sdpd/README.md,
+/// Eq. (S28)); the densities are Eq. (S5), the forces Eq. (S9).
 namespace mesobridge::sdpd {
 
 /// p += f dt. Conserves the momentum, since the forces do.
@@ -28,7 +28,7 @@ void response_from_temperature(System& system);
 /// T, S and P of every particle from its internal energy and its density.
 void thermodynamics_from_energy(System& system);
 
-/// Conservative forces f_i = sum_j m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F_ij r_ij (Eq. 1.28) and their virial.
+/// Conservative forces f_i = sum_j m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F_ij r_ij (Eq. (S9)) and their virial.
 void find_forces(System& system);
 
 } // namespace mesobridge::sdpd

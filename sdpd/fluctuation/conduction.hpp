@@ -4,8 +4,8 @@
 
 namespace mesobridge::sdpd {
 
-/// Heat conduction over dt by system.conduction, if there is any (theory sheet, section 1), pair after pair
-/// in the order of the lists, each by the exact step of a pair (see SdpdConduction, DpdeConduction) at the
+/// Heat conduction over dt by system.conduction, if there is any (sdpd/README.md, Eq. (S20), (S21)), pair
+/// after pair in the order of the lists, each by its exact step (see SdpdConduction, DpdeConduction) at the
 /// temperatures that the pair has then; pairs of a matching, which share no particle, in lanes. What one
 /// particle gains the other loses, so that energy is conserved to round-off; momenta and densities stay.
 ///

@@ -44,7 +44,7 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
   a.u += heat, b.u += heat;
 }
 
-/// The exponent a of theory sheet, section 3, EMS: the ratio of the densities of the step back and forth
+/// The exponent a of sdpd/README.md, Eq. (S24): the ratio of the densities of the step back and forth
 /// times that of the invariant measure.
 template <class Law>
 double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noise, Sweep<Law> const& sweep,

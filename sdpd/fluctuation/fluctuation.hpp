@@ -4,7 +4,7 @@
 
 namespace mesobridge::sdpd {
 
-/// Fluctuation and dissipation over dt (theory sheet, section 3). The change of a pair's kinetic energy goes
+/// Fluctuation and dissipation over dt (sdpd/README.md, Eq. (S11)). What a pair's kinetic energy loses goes
 /// to its two internal energies in equal parts, so that momentum and energy are conserved to round-off;
 /// densities stay fixed. SSA, AMS and EMS go pair after pair in the order of the lists, each by its exact
 /// Ornstein-Uhlenbeck step at the temperatures that the pair has then:
@@ -13,7 +13,7 @@ namespace mesobridge::sdpd {
 ///   ams  a step that would lead an internal energy out of the equation of state is not made.
 ///   ems  that, and a Metropolis test which makes the invariant measure exact at any dt.
 ///   ser  all pairs at once from the velocities and temperatures of the start (explicit Euler), with the heat
-///        that conserves the energy exactly (Eq. 4.11 corrected). Stable for short time steps only; throws
+///        that conserves the energy exactly (Eq. (S25)). Stable for short time steps only; throws
 ///        PhysicsError when an internal energy leaves the equation of state.
 ///   ser_implicit, hybrid, entropy  see fluctuate_implicit, fluctuate_hybrid, fluctuate_entropies.
 ///

@@ -4,7 +4,7 @@
 namespace mesobridge::sdpd {
 
 /// Fluctuation and dissipation over dt with all pairs at once, stable at any dt: SER with the friction taken
-/// at the mean p_m of the momenta before and after,
+/// at the mean p_m of the momenta before and after (sdpd/README.md, Eq. (S26)),
 ///     dp_i = sum_j (-Gamma_ij v_m,ij dt + Sigma_ij G_ij dt^(1/2)),   p_m = p + dp/2,
 /// at the temperatures of the start. Its equations (1 + Gamma dt/2) p_m = p + noise/2 are symmetric and
 /// positive definite: conjugate gradients solve them, to 1e-4 of the right-hand side. At one temperature the

@@ -39,8 +39,8 @@ class alignas(64) FluctuationStrip : public Strip<Particles, Gains::equal> {
     }
   }
 
-  /// Metropolis's test of EMS for the steps that are made so far, with the exponent a of theory sheet,
-  /// section 3, as in ExactPair.
+  /// Metropolis's test of EMS for the steps that are made so far, with the exponent a of
+  /// sdpd/README.md, Eq. (S24), as in ExactPair.
   template <class Law>
   void test(PairInputs const& inputs, std::size_t first, Sweep<Law> const& sweep) {
     for (std::size_t k = 0; k < count_; k += wide_count) {

@@ -3,8 +3,8 @@
 
 namespace mesobridge::sdpd {
 
-/// A heat bath at the set temperature T = 1, each particle for itself, over dt with the rate gamma > 0.
-/// Momenta: the exact Ornstein-Uhlenbeck step
+/// A heat bath at the set temperature T = 1, each particle for itself, over dt with the rate gamma > 0
+/// (sdpd/README.md, Eq. (S31)). Momenta: the exact Ornstein-Uhlenbeck step
 ///     p' = a p + ((1 - a^2) m k_B T)^(1/2) G,   a = exp(-gamma dt),
 /// less the mean of all, so that the centre of mass stays at rest. Energies: heat is conducted from the bath,
 ///     d eps = gamma C (T - T_i) dt + (2 k_B gamma C T_i T)^(1/2) dW,

@@ -1,7 +1,7 @@
 #pragma once
 #include "sdpd/fluctuation/pair_lanes.hpp"
 
-/// The Metropolis test of EMS for pairs in lanes (theory sheet, section 3).
+/// The Metropolis test of EMS for pairs in lanes (sdpd/README.md, Eq. (S24)).
 namespace mesobridge::sdpd {
 
 /// a/b where b > 0, and 1 where both vanish (at the edge of the kernel, where nothing happens).
@@ -18,7 +18,7 @@ template <class Floats>
   return variance > 0.0f ? square / variance : noise2;
 }
 
-/// The noise's part of the exponent a of theory sheet, section 3, EMS, as in ExactPair: G^2 less the square
+/// The noise's part of the exponent a of sdpd/README.md, Eq. (S24), as in ExactPair: G^2 less the square
 /// of the noise that would lead back, and the widths' ratio |B|^2/|B'|^2.
 template <class Floats>
 struct NoiseTerms {

@@ -4,7 +4,7 @@
 namespace mesobridge::sdpd {
 
 /// What one exact Ornstein-Uhlenbeck step over dt does to the relative velocity of a pair in one direction:
-/// v' = (1 + decay) v + kick() G, with G a standard Gaussian number (theory sheet, section 3, SSA). X is a
+/// v' = (1 + decay) v + kick() G, with G a standard Gaussian number (sdpd/README.md, Eq. (S22)). X is a
 /// number or lanes of numbers.
 template <class X>
 struct OrnsteinUhlenbeck {

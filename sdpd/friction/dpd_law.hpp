@@ -3,7 +3,7 @@
 
 namespace mesobridge::sdpd {
 
-/// The pair law of DPDE (theory sheet, section 1): sigma^2 = 2 k_B T_0 a, whatever the temperatures are, and
+/// The pair law of DPDE (sdpd/README.md, Eq. (S13)): sigma^2 = 2 k_B T_0 a at all temperatures, and
 /// gamma = (sigma^2/4k_B)(1/T_i + 1/T_j), so that gamma = a at T_i = T_j = T_0. The weight is a, the friction
 /// coefficient at T_0 (T_0 = 1, the unit of temperature). The invariant measure is exp(S/k_B) for each
 /// particle.
@@ -29,8 +29,8 @@ struct DpdeLaw {
   static constexpr bool par_is_twice_perp() { return false; }
 };
 
-/// The pair law of DPD: gamma = sigma^2/(2 k_B T) at the set temperature T = 1; internal energies are not
-/// followed.
+/// The pair law of DPD (Eq. (S12)): gamma = sigma^2/(2 k_B T) at the set temperature T = 1; internal energies
+/// are not followed.
 template <Across across_>
 struct DpdLaw {
   static constexpr bool has_energies = false, measure_over_T = false;

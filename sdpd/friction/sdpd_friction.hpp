@@ -4,7 +4,7 @@
 
 namespace mesobridge::sdpd {
 
-/// The bath of an SDPD pair (theory sheet, Eq. 2.16): friction gamma_theta = a_theta (1-d) and noise
+/// The bath of an SDPD pair (sdpd/README.md, Eq. (S15)): friction gamma_theta = a_theta (1-d) and noise
 /// sigma_theta^2 = 4 a_theta k_B T_i T_j / (T_i+T_j), where 1-d is the factor that a finite heat capacity
 /// puts on the friction.
 template <class X>
@@ -21,7 +21,7 @@ struct PairBath : Bath<X> {
 
 /// The two friction coefficients of a fluid with shear viscosity eta and bulk viscosity zeta (reduced units):
 /// a_perp = (5 eta/3 - zeta) chi and a_par = (10 eta/3 + 4 zeta) chi, chi = m_i m_j F_ij / (rho_i rho_j)
-/// (Eq. 1.33).
+/// (Eq. (S14)).
 class SdpdFriction {
  public:
   SdpdFriction(double eta, double zeta) : perp_(5 * eta / 3 - zeta), par_(2 * (5 * eta / 3) + 4 * zeta) {

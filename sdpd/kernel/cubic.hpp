@@ -4,7 +4,7 @@
 
 namespace mesobridge::sdpd {
 
-/// The cubic spline with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r, for a number
+/// The cubic spline with support h (sdpd/README.md, Eq. (S2)): W(r) and F(r) with grad W = -F r, for a number
 /// or for lanes of numbers. Both are written without a branch, so that lanes cost no more. `scale` multiplies
 /// both (see DensityCorrection).
 class CubicKernel {

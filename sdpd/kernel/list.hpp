@@ -16,7 +16,7 @@ using AnyKernel = std::variant<CubicKernel, LucyKernel, WendlandC2Kernel, Wendla
 
 /// The mean density that a sum over neighbours gives is not the mass per volume: the particle's own term is
 /// too large or too small for the order of its surroundings. rho_i = scale sum_j m_j W_ij - self m_i W_ii(0),
-/// with constants, keeps the dynamics Hamiltonian (theory sheet, section 8.2).
+/// with constants, keeps the dynamics Hamiltonian (sdpd/README.md, Eq. (S5)).
 struct DensityCorrection {
   double scale = 1; ///< c, > 0
   double self = 0;  ///< epsilon, < c
@@ -31,7 +31,7 @@ AnyKernel make_kernel(std::string_view name, double h, double scale = 1);
 
 /// The self-term correction for particles at rest in a glass with `neighbours` N within the support, at which
 /// the mean density is right. For Wendland's kernels that of Dehnen and Aly, epsilon = epsilon_100
-/// (N/100)^-a (theory sheet, section 8.2). For the cubic and Lucy's kernels, whose glasses have densities
+/// (N/100)^-a (sdpd/README.md, Eq. (S6)). For the cubic and Lucy's kernels, whose glasses have densities
 /// that are too low and from about 70 neighbours on clump, a constant that glasses of our own gave (a test
 /// makes them again). A hot fluid is no glass: its constants have to be found on the fluid itself
 /// (calibrate_density.hpp). Throws InputError for other kernels and numbers of neighbours.

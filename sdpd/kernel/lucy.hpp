@@ -4,7 +4,7 @@
 
 namespace mesobridge::sdpd {
 
-/// Lucy's kernel with support h (theory sheet, section 2): W(r) and F(r) with grad W = -F r, for a number or
+/// Lucy's kernel with support h (sdpd/README.md, Eq. (S3)): W(r) and F(r) with grad W = -F r, for a number or
 /// for lanes of numbers. `scale` multiplies both (see DensityCorrection).
 class LucyKernel {
  public:

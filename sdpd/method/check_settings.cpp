@@ -24,7 +24,7 @@ void check_sdpd(SimulationSettings const& s) {
   require(
       C > least_heat_capacity, "particle size K", s.K,
       fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
-                  "k_B is needed for a positive friction (theory, Eq. (2.16))",
+                  "k_B is needed for a positive friction (sdpd/README.md, Eq. (S15))",
                   C, centre_of_mass_of(s) == CentreOfMass::free ? " without its centre of mass" : "",
                   least_heat_capacity));
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");

@@ -5,8 +5,8 @@
 namespace mesobridge::sdpd {
 
 /// Mean internal energy of an SDPD particle of density rho under the invariant measure at the set
-/// temperature, exp(S/k_B - eps/k_BT)/T deps (theory sheet, section 2), by quadrature. The mean of T under it
-/// is the set temperature exactly; the energy is not that of the equation of state there, because C changes
+/// temperature, exp(S/k_B - eps/k_BT)/T deps (sdpd/README.md, Eq. (S17)), by quadrature. The mean of T under
+/// it is the set temperature exactly; the energy is not that of the equation of state, because C changes
 /// with T: the difference is about (dC/dT) k_B T^2/2C, some hundredths of k_BT whatever the size. Both in the
 /// reduced units of the settings. Throws PhysicsError where the model has no such density.
 class CanonicalEnergy {

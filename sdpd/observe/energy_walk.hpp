@@ -7,7 +7,7 @@ namespace mesobridge::sdpd {
 ///
 /// The conservative step keeps volumes in phase space, and a step of fluctuation and dissipation leaves the
 /// canonical law as it is; so the energy W that a time span brings to a system at equilibrium obeys
-/// <exp(-W/k_B T)> = 1 (Jarzynski, Phys. Rev. Lett. 78 (1997) 2690), and since many particles make W
+/// <exp(-W/k_B T)> = 1 (sdpd/README.md, Eq. (S32)), and since many particles make W
 /// Gaussian, <W> = Var(W) / 2 k_B T. The drift is the heat of the integrator's errors: where they do not
 /// scatter, there is none.
 ///

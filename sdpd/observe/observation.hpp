@@ -11,8 +11,8 @@ struct Observation {
   double potential = 0; ///< of the pair potential
   double T_kin =
       0; ///< kinetic temperature, of the 3(N-1) degrees of freedom that a fixed total momentum leaves
-  /// Internal temperature: the arithmetic mean of T_i for SDPD, the harmonic one for DPDE (theory sheet,
-  /// sections 1, 2), 0 for DPD, which has none.
+  /// Internal temperature: the arithmetic mean of T_i for SDPD, the harmonic one for DPDE
+  /// (sdpd/README.md, Eq. (S18)), 0 for DPD, which has none.
   double T_int = 0;
   double P = 0;   ///< N k_B T_kin / V + virial / 3V
   double rho = 0; ///< mean of the particles' densities; mass per volume where they have none

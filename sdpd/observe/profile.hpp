@@ -19,7 +19,7 @@ struct Profile {
   std::vector<Vec3> velocity; ///< mean
   /// sum |p - m <v>|^2/2m = 3/2 (number - 1) k_B T_kin: of the motion about the slice's own velocity.
   std::vector<double> T_kin;
-  std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (theory sheet, sections 1, 2)
+  std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (sdpd/README.md, Eq. (S18))
   std::vector<double> P_internal; ///< SDPD: mean of the particles' pressures
   /// Means of the fields that are profiled under their own names, in the order of `fields`.
   std::vector<std::pair<Field const*, std::vector<double>>> means;

@@ -38,8 +38,8 @@ void verlet_step(System& system, double dt) {
   kick(system, dt / 2);
 }
 
-/// McLachlan's scheme of two stages and least error (SIAM J. Sci. Comput. 16 (1995) 151; Omelyan, Mryglod and
-/// Folk, Comput. Phys. Commun. 151 (2003) 272). Symplectic and time-reversible, as Verlet is.
+/// McLachlan's integrator (sdpd/README.md, Eq. (S29)), of two stages and the least error among such ones.
+/// Symplectic and time-reversible, as Verlet is.
 void two_stage_step(System& system, double dt) {
   constexpr double outer = 0.1931833275037836;
   kick_and_move(system, outer * dt, dt / 2);
@@ -58,8 +58,8 @@ void conservative_step(System& system, Conservative conservative, double dt) {
   }
 }
 
-/// Brings the total energy back to what it was, with one factor for all particles' temperatures, so that
-/// small cold ones stay above zero.
+/// Brings the total energy back to what it was, with one factor for all particles' temperatures (Eq. (S30)),
+/// so that small cold ones stay above zero.
 void restore_energy(System& system) {
   auto& particles = system.particles;
   double const missing = system.kept_energy - total_energy(system);

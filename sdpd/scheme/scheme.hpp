@@ -18,8 +18,8 @@ enum class Conservative {
   none       ///< positions stay where they are: fluctuation and dissipation alone, for studies of it
 };
 
-/// A scheme: how the conservative dynamics and the pairs' fluctuation and dissipation alternate (theory
-/// sheet, section 3).
+/// A scheme: how the conservative dynamics and the pairs' fluctuation and dissipation alternate
+/// (sdpd/README.md, A step).
 struct Scheme {
   PairScheme pairs = PairScheme::ssa;
   /// Conservative steps for one sweep of fluctuation and dissipation (multiple time steps, theta), >= 1.

@@ -5,7 +5,7 @@
 
 namespace mesobridge::sdpd {
 
-/// The unit system of particles of size K (theory sheet, Eq. 2.20): a particle's mass, the mean distance
+/// The unit system of particles of size K (sdpd/README.md, Eq. (S1)): a particle's mass, the mean distance
 /// between particles and K k_B T are one. Temperatures are counted in the set temperature, densities in the
 /// mean density. The engine works in these units alone; Boltzmann's constant is 1/K in them.
 struct ReducedUnits {

@@ -11,7 +11,7 @@
 namespace mesobridge::sdpd {
 
 /// Everything that the sub-steps of a scheme work on: one fluid of particles of one size in a periodic box,
-/// in reduced units (theory sheet, Eq. 2.20), where masses are 1 and k_B = 1/K.
+/// in reduced units (sdpd/README.md, Eq. (S1)), where masses are 1 and k_B = 1/K.
 struct System {
   Box box;
   std::unique_ptr<Thermodynamics const> thermodynamics; ///< none in DPD

@@ -12,7 +12,7 @@ template <class Eos>
 inline constexpr bool has_constant_heat_capacity = fitting::LinearModel<Eos>;
 
 /// Particles need a heat capacity above this [k_B]: the factor 1 - d of the friction of two equal ones, d =
-/// k_B/2C at equal temperatures and less at others, is positive then (theory sheet, Eq. 2.16).
+/// k_B/2C at equal temperatures and less at others, is positive then (sdpd/README.md, Eq. (S15)).
 inline constexpr double least_heat_capacity = 0.5;
 
 /// The equation of state of one particle of size K in reduced units: S(eps, rho) = m_K s(eps/m_K, rho).

@@ -50,7 +50,7 @@ class Thermodynamics {
 /// What a particle's equation of state says of its centre of mass, whose kinetic energy (3/2) k_B T and
 /// pressure k_B T/V the moving particles have anyway.
 enum class CentreOfMass {
-  free, ///< S = m s less the centre of mass's part (theory sheet, section 8.3): totals do not depend on K
+  free, ///< S = m s less the centre of mass's part (sdpd/README.md, Eq. (S8)): totals do not depend on K
   bulk  ///< S = m s: the kinetic energy and the pressure of the particles come on top of the bulk's
 };
 

@@ -27,8 +27,8 @@ struct DriftLaw {
 /// logarithms.
 std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs);
 
-/// Kolmogorov-Smirnov test of an ideal-gas run's internal energies against the Gamma law of theory sheet, Eq.
-/// (4.8).
+/// Kolmogorov-Smirnov test of an ideal-gas run's internal energies against the Gamma law of
+/// sdpd/README.md, Eq. (S19).
 struct GammaTest {
   double distance, p_value;
   std::size_t samples;

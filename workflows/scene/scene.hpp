@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 
 enum class UnitSystem { SI, lj };
 
-/// A time step: in the reduced time unit of size K (theory sheet, Eq. (2.20)) or in that of the scene's
+/// A time step: in the reduced time unit of size K (sdpd/README.md, Eq. (S1)) or in that of the scene's
 /// units, seconds or Lennard-Jones times, or one that is still to be found.
 struct TimeStep {
   double value = 0;

@@ -19,8 +19,8 @@ Plot distribution_plot(std::string const& name, std::string const& title, std::s
 Plot energy_error_plot(std::string const& name,
                        std::vector<std::pair<std::string, RunResult const*>> const& runs);
 
-/// The law of the internal energy of an ideal-gas particle, Gamma(C_K/k_B, k_B T) in units of k_B T (theory
-/// sheet, Eq. 4.8), at the centres of a histogram: a curve to lay over it.
+/// The law of the internal energy of an ideal-gas particle, Gamma(C_K/k_B, k_B T) in units of k_B T
+/// (sdpd/README.md, Eq. (S19)), at the centres of a histogram: a curve to lay over it.
 Series gamma_law(double K, double x_min, double x_max, int colour);
 
 } // namespace mesobridge::workflows

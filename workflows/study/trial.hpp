@@ -62,13 +62,13 @@ TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
 /// have no energies. `K` is 1 where particles have no sizes.
 EnergyBins bins_around(sdpd::Checkpoint const& start, double K);
 
-/// Quadratic distance of two distributions, relative to the second (thesis, Eq. 4.18).
+/// Quadratic distance of two distributions, relative to the second (workflows/README.md, Eq. (W2)).
 double distribution_error(std::vector<double> const& found, std::vector<double> const& reference);
 
 /// The part of a trial's distribution error that its finite sample makes: from the difference of its halves.
 double distribution_noise(TrialResult const& result, std::vector<double> const& reference);
 
-/// The Gamma law of an ideal-gas particle's energy over the bins (thesis, Eq. 4.8).
+/// The Gamma law of an ideal-gas particle's energy over the bins (sdpd/README.md, Eq. (S19)).
 std::vector<double> gamma_law(double K, EnergyBins const& bins);
 
 } // namespace mesobridge::workflows

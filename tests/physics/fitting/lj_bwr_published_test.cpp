@@ -90,7 +90,7 @@ double hugoniot_density(LjBwr const& eos, double rho_0, double T_0, double v_P) 
 }
 
 TEST(LjBwrPublished, ShockInArgon) {
-  // Theory sheet, section 5, from an independent solver.
+  // A value beside fitting/README.md, Eq. (F14), from an independent solver.
   double const rho_0 = 1150, v_P = 500;
   double const rho = hugoniot_density(argon(), rho_0, 500, v_P), v_S = v_P * rho / (rho - rho_0);
   double const e_0 = argon().energy_from_temperature(500, rho_0), P_0 = argon().pressure(e_0, rho_0);

@@ -151,7 +151,7 @@ struct Case {
 class ConductionOfSmallParticles : public ::testing::TestWithParam<Case> {};
 
 // Conduction alone with the Metropolis test: energies follow Gamma(C_K/k_B, k_B T), C_K = (3/2)(K-1) k_B
-// (theory sheet, Eq. 4.8), at a time step at which most of a pair's difference is exchanged.
+// (sdpd/README.md, Eq. (S19)), at a time step at which most of a pair's difference is exchanged.
 TEST_P(ConductionOfSmallParticles, HasTheExactLawOfTheEnergies) {
   auto const [K, dt] = GetParam();
   auto settings = with_conduction(ideal_gas(K, dt), 5);

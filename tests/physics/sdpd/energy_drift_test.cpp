@@ -115,7 +115,7 @@ TEST(EnergyDrift, IsATenthWithTheTwoStageIntegratorAndNotWithStrang) {
   ASSERT_GT(lie.rate, 4 * lie.se);
   EXPECT_LT(two_stage.rate + 3 * two_stage.se, 0.1 * (lie.rate - 2 * lie.se));
   EXPECT_GT(strang.rate, 0.3 * lie.rate);
-  // An independent code found 3.5e-6 for the first (theory sheet, section 7).
+  // An independent code found 3.5e-6 for the first.
   EXPECT_LT(std::abs(lie.rate - 3.5e-6), 4 * lie.se + 1e-6);
 }
 

@@ -34,7 +34,7 @@ TEST(EntropyForm, HasTheNoiseOfTheEnergyForm) {
 }
 
 struct Sampled {
-  cg::Estimate T_kin, T_int, width; ///< width: variance of eps over that of the Gamma law (Eq. 4.8)
+  cg::Estimate T_kin, T_int, width; ///< width: variance of eps over that of the Gamma law (Eq. (S19))
   double energy_error;              ///< rms relative change of the energy in one step
 };
 

@@ -33,7 +33,7 @@ Series run(SimulationSettings const& settings, std::uint64_t equilibrate_for, in
 
 class IdealGas : public ::testing::TestWithParam<SimulationSettings> {};
 
-// Exact answers: eps follows Gamma(C_K/k_B, k_B T) with C_K = (3/2)(K-1) k_B (theory sheet, Eq. 4.8), and
+// Exact answers: eps follows Gamma(C_K/k_B, k_B T) with C_K = (3/2)(K-1) k_B (sdpd/README.md, Eq. (S19)), and
 // both temperatures equal the set one.
 TEST_P(IdealGas, HasTheGammaLawAndTheSetTemperatures) {
   auto const settings = GetParam();

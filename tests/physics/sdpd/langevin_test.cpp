@@ -12,7 +12,7 @@
 namespace mesobridge::sdpd {
 namespace {
 
-// The bath alone: momenta have Maxwell's law at any time step, and energies the Gamma law of Eq. (4.8) for
+// The bath alone: momenta have Maxwell's law at any time step, and energies the Gamma law, Eq. (S19), for
 // steps short beside 1/gamma; the centre of mass stays at rest.
 TEST(LangevinBath, LeadsToTheCanonicalLawsFromAnotherTemperature) {
   double const K = 10, shape = 1.5 * (K - 1);

@@ -61,8 +61,8 @@ struct Case {
 
 class MetropolisScheme : public ::testing::TestWithParam<Case> {};
 
-// The exact laws: eps follows Gamma(C_K/k_B, k_B T), C_K = (3/2)(K-1) k_B (theory sheet, Eq. 4.8), momenta
-// Maxwell's.
+// The exact laws: eps follows Gamma(C_K/k_B, k_B T), C_K = (3/2)(K-1) k_B (sdpd/README.md, Eq. (S19)),
+// momenta Maxwell's.
 TEST_P(MetropolisScheme, HasTheExactLawsAtAnyTimeStep) {
   auto const [K, dt, between] = GetParam();
   auto const sampled = sample(PairScheme::ems, K, dt, 40, between);
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, MetropolisScheme,
                          [](auto const& info) { return "K" + std::to_string(int(info.param.K)); });
 
 // Refusing only what would leave the equation of state is no Metropolis step: at K = 5, dt = 1 an independent
-// code found energies 6.6 % too widely spread (theory sheet, section 7).
+// code found energies 6.6 % too widely spread.
 TEST(SchemeThatRefusesNegativeEnergies, SpreadsTheEnergiesTooWidely) {
   double const shape = 6;
   auto const ams = sample(PairScheme::ams, 5, 1, 40, 10);

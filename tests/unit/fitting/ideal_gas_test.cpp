@@ -17,8 +17,8 @@ TEST(IdealGas, ObeysTheGasLaw) {
 }
 
 TEST(IdealGas, HasTheExactHugoniotOfGammaFiveThirds) {
-  // Theory sheet, section 5: 1150 kg/m^3, 1000 K, v_P 1661 m/s; strong-shock relations are exact for an ideal
-  // gas.
+  // A value of fitting/README.md, Eq. (F14): 1150 kg/m^3, 1000 K, v_P 1661 m/s; strong-shock relations are
+  // exact for an ideal gas.
   IdealGas const gas(1e-25);
   double const rho_0 = 1150, v_S = 2314.1, v_P = 1661;
   double const e_0 = gas.energy_from_temperature(1000, rho_0), P_0 = gas.pressure(e_0, rho_0);

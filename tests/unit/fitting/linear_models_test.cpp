@@ -22,7 +22,7 @@ double pressure_at(auto const& eos, double rho, double T) {
 }
 
 TEST(MieGruneisen, TinHasTheCheckedNumbers) {
-  // Theory sheet, section 5: an independent evaluation of Table 6.1.
+  // Independent evaluations of fitting/README.md, Eq. (F4), with the thesis's Table 6.1.
   EXPECT_NEAR(pressure_at(tin(), 7775, 300), 6.71e9, 0.005e9);
   EXPECT_GT(pressure_at(tin(), 6865, 300), 0);
   EXPECT_LT(pressure_at(tin(), 6864, 300), 0);
@@ -68,7 +68,7 @@ double hugoniot_residual(E const& eos, double rho_0, double T_0, double v_P, dou
 }
 
 TEST(Hz, HasTheCheckedShock) {
-  // Theory sheet, section 5: 1104 kg/m^3, 300 K, v_P 2500 m/s.
+  // A value of fitting/README.md, Eq. (F14): 1104 kg/m^3, 300 K, v_P 2500 m/s.
   double const v_S = 6109.9, rho_0 = 1104, v_P = 2500;
   auto const& eos = nitromethane();
   EXPECT_LT(hugoniot_residual(eos, rho_0, 300, v_P, v_S + 0.05) *

@@ -52,7 +52,7 @@ TEST(KolafaNezbeda, AgreesWithTheCirculatedValues) {
 }
 
 TEST(Thol, HasThePublishedResidualEnergy) {
-  // Independent value at the critical parameters, the check number of the theory's style sheet.
+  // Independent value at the critical parameters.
   EXPECT_NEAR(std::get<LjThol>(material("lj-thol").eos).alpha_r(0.31, 1.32), -0.848655028421735, 1e-14);
 }
 

@@ -30,7 +30,7 @@ void expect_jump(Shock const& found, Jump const& expected, double tolerance) {
 }
 
 TEST(Hugoniot, GivesTheValuesOfAnIndependentSolver) {
-  // Theory sheet, section 5; the second also in Table 4.2, the first in Table 5.2 of the thesis.
+  // The values beside fitting/README.md, Eq. (F14); the first two also in the thesis's Tables 5.2 and 4.2.
   auto const from_piston = [](std::string const& name, double rho, double T, double v_P) {
     return Hugoniot(fluid(name), fluid(name).at_temperature(rho, T)).from_piston(v_P);
   };
@@ -224,7 +224,7 @@ Hugoniot nitromethane_crussard(double rho, double q, std::optional<double> P_0 =
 }
 
 TEST(ChapmanJouguet, OfNitromethaneIsThatOfAnIndependentSolver) {
-  // Theory sheet, section 5, at zero pressure ahead.
+  // The value beside fitting/README.md, Eq. (F15), at zero pressure ahead.
   auto const crussard = nitromethane_crussard(1104, 4.716e6, 0);
   auto const cj = crussard.chapman_jouguet();
   expect_jump(cj, {6757, 1578.6, 15.15e9, 4882}, 2e-4);

@@ -12,7 +12,7 @@ static_assert(EquationOfState<CentreOfMassFree<LjBwr>> && EquationOfState<Centre
 static_assert(EquationOfState<CentreOfMassFree<Hz>> && EquationOfState<CentreOfMassFree<IdealGas>>);
 
 TEST(CentreOfMassFree, IdealGasObeysTheLawOfOneAtomLess) {
-  // Theory sheet (4.7): S = 3/2 (K-1) k_B ln eps - (K-1) k_B ln rho, for one particle of K atoms.
+  // sdpd/README.md, Eq. (S19): S = 3/2 (K-1) k_B ln eps - (K-1) k_B ln rho, for one particle of K atoms.
   int cases = 0;
   for (double K : {2.0, 5.0, 1000.0}) {
     double const m0 = 1e-25, M = K * m0, C = 1.5 * (K - 1) * k_B;

@@ -6,8 +6,8 @@ namespace {
 
 PowerFriction const shape(4.5, 2, 1, 2);
 
-// gamma = (sigma^2 / 4 k_B)(1/T_i + 1/T_j) with a sigma that does not know the temperatures (theory sheet,
-// section 1), in numbers and in lanes.
+// gamma = (sigma^2 / 4 k_B)(1/T_i + 1/T_j) with a sigma that does not know the temperatures (sdpd/README.md,
+// Eq. (S13)), in numbers and in lanes.
 TEST(DpdeLaw, FulfilsItsFluctuationDissipationRelation) {
   double const k_B = 0.7, a = 0.37;
   DpdeLaw<Across::none> const law{shape, k_B};

@@ -4,8 +4,8 @@
 namespace mesobridge::sdpd {
 namespace {
 
-// sigma and gamma as printed in theory sheet, Eq. (2.16), beside the step's coefficients for a short time.
-TEST(PairBath, GivesFrictionAndNoiseOfEquation216) {
+// sigma and gamma by sdpd/README.md, Eq. (S15), beside the step's coefficients for a short time.
+TEST(PairBath, GivesItsFrictionAndNoise) {
   double const kB = 0.02, T_i = 1.3, T_j = 0.8, C_i = 1.4, C_j = 1.7, a = 0.37, dt = 1e-7;
   double const d = kB * T_i * T_j / ((T_i + T_j) * (T_i + T_j)) * (1 / C_i + 1 / C_j);
   double const gamma = a * (1 - d);
@@ -15,8 +15,8 @@ TEST(PairBath, GivesFrictionAndNoiseOfEquation216) {
   EXPECT_NEAR(step.variance / dt, 4 * sigma2, 1e-6 * sigma2); // both particles are kicked by sigma
 }
 
-// With constant sigma, gamma of Eq. (2.30) is (sigma^2/4)[(1/k_B - 1/C_i)/T_i + (1/k_B - 1/C_j)/T_j]; with
-// the sigma of (2.16), which depends on the energies, the general form of (2.30) must give (2.16) back. The
+// With constant sigma, gamma of Eq. (S16) is (sigma^2/4)[(1/k_B - 1/C_i)/T_i + (1/k_B - 1/C_j)/T_j]; with
+// the sigma of Eq. (S15), which depends on the energies, the general form must give its friction back. The
 // derivative is taken numerically: an independent way to the same friction.
 TEST(PairBath, FulfilsTheGeneralFluctuationDissipationRelation) {
   double const kB = 0.05, C_i = 1.2, C_j = 1.9, a = 0.9;

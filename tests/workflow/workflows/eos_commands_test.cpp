@@ -39,9 +39,9 @@ struct ExpectedJump {
   double v_S, rho, P, T, tolerance;
 };
 
-TEST(EosCommands, HugoniotGivesTheValuesOfTheTheorySheetAndTheThesis) {
+TEST(EosCommands, HugoniotGivesTheValuesOfAnIndependentSolverAndTheThesis) {
   std::vector<ExpectedJump> const cases{
-      // Theory sheet, section 5: an independent solver
+      // The values beside fitting/README.md, Eq. (F14), of an independent solver
       {"--model argon --rho0 1150 --T0 500 --vp 500", 1975.0, 1539.8, 1.4661e9, 968.9, 1e-4},
       {"--model nitromethane --rho0 1104 --T0 300 --vp 2500", 6109.9, 1868.6, 16.82e9, 2329, 2e-4},
       {"--model ideal-gas --rho0 1150 --T0 1000 --vp 1661", 2314.1, 4074.7, 4.579e9, 8139, 1e-4},
@@ -88,7 +88,7 @@ TEST(EosCommands, ReducedModelsPrintReducedKeys) {
   expect_near(found, "rho", 0.8 * found["v_S"].get<double>() / (found["v_S"].get<double>() - 2), 1e-10);
 }
 
-TEST(EosCommands, ChapmanJouguetIsThatOfTheTheorySheet) {
+TEST(EosCommands, ChapmanJouguetIsThatOfAnIndependentSolver) {
   std::string const line = "cj --reactant nitromethane --product nitromethane-products";
   auto const found = json_of(line + " --rho0 1104 --T0 300 --q 4.716e6");
   expect_near(found, "D_m_s", 6757, 1e-4);

@@ -133,10 +133,10 @@ TEST(Program, JsonIsOneObjectOnStdout) {
 TEST(Program, EosEvalGivesThePublishedValues) {
   auto const lj =
       Json::parse(program({"eos", "eval", "--model", "lj", "--rho", "0.6", "--T", "1.35", "--json"}).output);
-  EXPECT_NEAR(lj["alpha_r"], -1.237403479, 1e-9); // Johnson et al. 1993, as in the theory sheet
+  EXPECT_NEAR(lj["alpha_r"], -1.237403479, 1e-9); // Johnson et al. 1993
   auto const argon = Json::parse(
       program({"eos", "eval", "--model", "argon", "--rho", "1150", "--T", "1000", "--json"}).output);
-  // The theory sheet's values are for m0 = 6.63e-26 kg: a density 0.15 % higher in reduced units.
+  // The reference values are for m0 = 6.63e-26 kg (fitting/README.md): 0.15 % denser in reduced units.
   EXPECT_NEAR(argon["P_Pa"], 0.68139e9, 0.005e9);
   EXPECT_NEAR(argon["e_J_kg"].get<double>() * 6.64e-26 / (1.380649e-23 * 1000), 1.26554, 0.001);
   for (auto const* key : {"e_J_kg", "P_Pa", "s_J_kg_K", "c_v_J_kg_K", "sound_speed_m_s"})

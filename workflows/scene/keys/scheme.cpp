@@ -33,8 +33,8 @@ std::vector<SceneKey> scheme_keys() {
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step. A plain number is in the reduced unit of time: for sdpd (m/rho)^(1/3) (m_0/k_B "
           "T)^(1/2) "
-          "with the particle's mass m (theory, Eq. (2.20)), for dpd and dpde the cut-off of the friction "
-          "times "
+          "with the particle's mass m (sdpd/README.md, Eq. (S1)), for dpd and dpde the cut-off of the "
+          "friction times "
           "(mass/k_B T)^(1/2). A text is in seconds (\"2 fs\") or, in scenes in Lennard-Jones units, in "
           "their "
           "unit of time, sigma (m/epsilon)^(1/2) (\"0.05 tau\"). `check` prints it in both. \"auto\": found "
