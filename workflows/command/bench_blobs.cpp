@@ -3,7 +3,7 @@
 #include "md/error.hpp"
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>

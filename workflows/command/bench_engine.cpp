@@ -1,7 +1,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>

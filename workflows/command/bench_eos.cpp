@@ -1,7 +1,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "fitting/eos/list.hpp"
 #include "fitting/eos/tabulated.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "cg/blobs.hpp"
 #include "cg/intermolecular.hpp"
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/energy_check.hpp"
 #include "workflows/star/mapping_file.hpp"

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"

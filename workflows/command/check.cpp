@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"

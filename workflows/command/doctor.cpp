@@ -1,7 +1,7 @@
 #include "md/error.hpp"
 #include "md/lammps_session.hpp"
 #include "md/metal_potential.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/store/store.hpp"

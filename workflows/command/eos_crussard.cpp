@@ -1,5 +1,5 @@
 #include "fitting/isentrope.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/detonation_options.hpp"
 #include "workflows/eos/shock_options.hpp"

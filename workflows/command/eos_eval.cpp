@@ -1,6 +1,6 @@
 #include "fitting/eos/evaluate.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/eos_options.hpp"
 #include <CLI/CLI.hpp>

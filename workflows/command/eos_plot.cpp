@@ -1,7 +1,7 @@
 #include "fitting/isentrope.hpp"
 #include "fitting/shock_relations.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"

@@ -1,6 +1,6 @@
 #include "fitting/shock_profile.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos/columns.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"

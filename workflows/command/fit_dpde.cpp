@@ -1,6 +1,6 @@
 #include "fitting/fit_dpde.hpp"
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"

@@ -1,6 +1,6 @@
 #include "fitting/model_file.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/lj/fit_summary.hpp"
 #include "workflows/lj/state_grid_file.hpp"

@@ -1,6 +1,6 @@
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_grid.hpp"

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"

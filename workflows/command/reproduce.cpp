@@ -1,4 +1,4 @@
-#include "workflows/command/studies.hpp"
+#include "workflows/command.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/reproduce/list.hpp"

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"

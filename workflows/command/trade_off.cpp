@@ -1,5 +1,5 @@
 #include "sdpd/scheme/list.hpp"
-#include "workflows/command/studies.hpp"
+#include "workflows/command.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/settings.hpp"

@@ -1,4 +1,4 @@
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj_to_sdpd/chain.hpp"

@@ -1,4 +1,4 @@
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/star/chapter.hpp"
