@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/metal/hugoniostat_check.hpp"
 #include "workflows/metal/hugoniot_plan.hpp"
@@ -165,34 +165,30 @@ Result hugoniot(Options const& options, Context const& context) {
   return curve(job, request, options.hugoniostat, context);
 }
 
+void declare(CLI::App& app, Options& options) {
+  add_options(app, options.metal);
+  app.add_option("--T0", options.request.T0, "Temperature before the shock [K]");
+  app.add_option("--rho0", options.request.rho0, "Density before it [kg/m^3] (default: of zero pressure)")
+      ->type_name("REAL");
+  app.add_option("--compression", options.request.compressions,
+                 "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
+      ->delimiter(',')
+      ->default_str("");
+  app.add_option("--vp", options.request.v_P,
+                 "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
+      ->delimiter(',')
+      ->default_str("");
+  app.add_flag("--hugoniostat", options.hugoniostat,
+               "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
+}
+
 } // namespace
 
 Command md_hugoniot_command() {
-  return {
-      .name = "md hugoniot",
-      .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
-      .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        add_options(app, options->metal);
-        app.add_option("--T0", options->request.T0, "Temperature before the shock [K]");
-        app.add_option("--rho0", options->request.rho0,
-                       "Density before it [kg/m^3] (default: of zero pressure)")
-            ->type_name("REAL");
-        app.add_option("--compression", options->request.compressions,
-                       "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
-            ->delimiter(',')
-            ->default_str("");
-        app.add_option(
-               "--vp", options->request.v_P,
-               "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
-            ->delimiter(',')
-            ->default_str("");
-        app.add_flag(
-            "--hugoniostat", options->hugoniostat,
-            "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
-        return [options](Context& context) { return hugoniot(*options, context); };
-      }};
+  return {.name = "md hugoniot",
+          .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
+          .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
+          .declare = with_options(declare, hugoniot)};
 }
 
 } // namespace mesobridge::workflows
