@@ -27,6 +27,7 @@ Command eos_profile_command();
 Command eos_riemann_command();
 Command eos_plot_command();
 Command eos_table_command();
+Command new_command();
 Command run_command();
 Command workflow_lj_to_sdpd_command();
 Command trade_off_command();
@@ -64,6 +65,7 @@ std::vector<Command> commands() {
       eos_riemann_command(),
       eos_plot_command(),
       eos_table_command(),
+      new_command(),
       run_command(),
       workflow_lj_to_sdpd_command(),
       trade_off_command(),
