@@ -1,6 +1,6 @@
 #include "md/child_process.hpp"
 #include "md/error.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -58,7 +58,7 @@ TEST(ChildProcess, IsNoPartOfThisMpiWorldAndLeadsAGroupOfItsOwn) {
 }
 
 TEST(ChildProcess, ThatCannotBeExecutedSaysSoByItsCode) {
-  ScratchFolder const empty;
+  tests::ScratchDirectory const empty;
   pid_t const child = start_child({(empty.path() / "program").string()}, {});
   int status = 0;
   waitpid(child, &status, 0);

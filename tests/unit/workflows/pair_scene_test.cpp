@@ -1,7 +1,7 @@
 #include "md/error.hpp"
 #include "scene_error.hpp"
+#include "scratch_directory.hpp"
 #include "sdpd/potential/list.hpp"
-#include "unit/workflows/scratch_directory.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"

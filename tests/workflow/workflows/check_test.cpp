@@ -1,4 +1,4 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/command_line.hpp"
 #include "workflows/scene/keys.hpp"

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
