@@ -36,7 +36,7 @@ std::string short_name(Configuration const& of) {
                      of.integrator == "verlet" ? "" : ", " + of.integrator, "");
 }
 
-Json trial_json(TradeOff const& found, Configuration const& of, TrialResult const& trial, double dt) {
+Json trial_json(TradeOff const& found, Configuration const& of, sdpd::TrialResult const& trial, double dt) {
   auto const units = units_of(found, of.K);
   std::string const per = units.si ? "_per_ps" : "_per_time";
   Json json{{"dt_reduced", dt}, {"dt" + std::string(units.si ? "_ps" : ""), dt * units.ps}};
@@ -198,13 +198,13 @@ Table limit_table(TradeOff const& found, double K) {
 Section size_section(TradeOff const& found, double K) {
   auto const units = units_of(found, K);
   std::string const tag = fmt::format("K{:.0f}", K), time = time_name(units);
-  auto cost = [&](TrialResult const& trial, double dt) {
+  auto cost = [&](sdpd::TrialResult const& trial, double dt) {
     return trial.us_per_particle_step / (dt * units.ps);
   };
-  auto drift = [&](Configuration const&, TrialResult const& trial) {
+  auto drift = [&](Configuration const&, sdpd::TrialResult const& trial) {
     return estimate(trial.drift(), units.ps);
   };
-  auto error = [&](Configuration const& of, TrialResult const& trial) {
+  auto error = [&](Configuration const& of, sdpd::TrialResult const& trial) {
     auto const bias = found.bias(of, trial);
     return cg::Estimate{bias.distribution, bias.distribution_noise, 1};
   };
@@ -212,7 +212,7 @@ Section size_section(TradeOff const& found, double K) {
   auto plots = [&]() -> std::vector<Plot> {
     if (!found.scene.has_energies())
       return {over_trials(found, K, frame("bias" + tag, "Bias of T_kin", cost_axis, "|bias of T_kin|"), cost,
-                          [&](Configuration const& of, TrialResult const& trial) {
+                          [&](Configuration const& of, sdpd::TrialResult const& trial) {
                             auto const bias = found.bias(of, trial).T_kin;
                             return cg::Estimate{std::abs(bias.mean), bias.se, bias.n_eff};
                           })};
