@@ -14,7 +14,7 @@ struct Options {
 };
 
 Result entropy(Options const& options, Context const& context) {
-  EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
+  EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
   Provenance provenance{
       .command = context.command_line(), .seed = context.options.seed.value_or(0), .scene = "", .inputs = {}};
   std::string units;
@@ -29,10 +29,10 @@ Result entropy(Options const& options, Context const& context) {
     units = text;
     provenance.inputs.push_back(*file);
   };
-  load(options.melt, inputs.melt);
-  load(options.vacuum, inputs.vacuum);
-  load(options.microcanonical, inputs.microcanonical);
-  auto const routes = entropy_routes(inputs);
+  load(options.melt, files.melt);
+  load(options.vacuum, files.vacuum);
+  load(options.microcanonical, files.microcanonical);
+  auto const routes = entropy_routes(std::move(files));
   auto const directory = context.output_directory("out/entropy");
   Result result;
   result.json = entropy_json(routes);

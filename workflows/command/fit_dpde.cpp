@@ -37,9 +37,9 @@ Result fit_dpde(Options const& options, Context const& context) {
   auto data = read_blobs(options.file);
   bool const melt = data.head.kind == "melt";
   auto const name = data.head.name;
-  EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
-  (melt ? inputs.melt : inputs.vacuum) = std::move(data);
-  auto const routes = entropy_routes(inputs);
+  EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
+  (melt ? files.melt : files.vacuum) = std::move(data);
+  auto const routes = entropy_routes(std::move(files));
   std::string const route =
       std::string(melt ? "melt" : "vacuum") + (options.route == "kinetic" ? "_kinetic" : "");
   auto const* const curve = routes.curve(route);
