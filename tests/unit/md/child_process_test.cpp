@@ -66,6 +66,15 @@ TEST(ChildProcess, ThatCannotBeExecutedSaysSoByItsCode) {
   EXPECT_THROW(start_child({}, {}), InputError);
 }
 
+TEST(ChildProcess, IsFoundByItsNameOrItsPath) {
+  auto const found = program_file("sh");
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->ends_with("/sh"));
+  EXPECT_EQ(program_file(*found), found);
+  for (char const* name : {"mesobridge-no-such-program", "/tmp", "/dev/null"})
+    EXPECT_FALSE(program_file(name)) << name;
+}
+
 TEST(ChildProcess, GetsItsOwnVariableAndNotAnInheritedOne) {
   setenv("OUT", "/dev/null", 1);
   auto const [text, code] = run_script("echo here > $OUT");
