@@ -1,7 +1,7 @@
 #include "fitting/model_file.hpp"
+#include "program.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
@@ -11,12 +11,8 @@
 namespace mesobridge::workflows {
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 std::string const data = MESOBRIDGE_SOURCE_DIR "/workflows/data/";
 

@@ -1,6 +1,6 @@
+#include "program.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <cmath>
@@ -12,13 +12,9 @@ namespace mesobridge::workflows {
 
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
-
-ProcessResult program(Words words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 /// Copper by Foiles's potential, whose short cut-off allows a small box.
 Words small(std::string const& command, std::string const& directory, Words const& more) {

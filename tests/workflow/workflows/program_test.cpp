@@ -1,5 +1,5 @@
+#include "program.hpp"
 #include "scratch_directory.hpp"
-#include "workflows/process.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -11,12 +11,8 @@ namespace mesobridge::workflows {
 
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
 
