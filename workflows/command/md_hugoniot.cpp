@@ -156,13 +156,8 @@ Result hugoniot(Options const& options, Context const& context) {
     keep_earlier_results(context, options.metal.started_by_ourselves, directory,
                          {job.runs, directory / "hugoniot.h5", directory / "hugoniot.csv",
                           directory / "hugoniot.json", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    run_on_ranks(ranks_of(context), words_for_ranks(context));
-  } else {
-    sample(job, request, context);
-    if (options.metal.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, request, context); }))
+    return told_elsewhere();
   return curve(job, request, options.hugoniostat, context);
 }
 

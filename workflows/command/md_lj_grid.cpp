@@ -43,16 +43,8 @@ Result lj_grid(Options const& options, Context const& context) {
   auto const job = job_of(options, context); // before any rank starts: bad input is told once
   keep_earlier_results(context, options.started_by_ourselves, job.directory,
                        {job.directory / "lj-grid.h5", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    auto words = context.arguments;
-    std::erase(words, "--json");
-    words.push_back("--started-by-ourselves");
-    run_on_ranks(ranks_of(context), words);
-  } else {
-    sample_grid(job, context);
-    if (options.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.started_by_ourselves, [&] { sample_grid(job, context); }))
+    return told_elsewhere();
   auto const file = (job.directory / "lj-grid.h5").string();
   Result result;
   result.json = {{"file", file},

@@ -82,13 +82,8 @@ Result metal_grid(Options const& options, Context const& context) {
     keep_earlier_results(context, options.metal.started_by_ourselves, directory,
                          {job.runs, directory / "metal-grid.h5", directory / "metal-grid.csv",
                           directory / "metal-grid.json", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    run_on_ranks(ranks_of(context), words_for_ranks(context));
-  } else {
-    sample(job, states, context);
-    if (options.metal.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, states, context); }))
+    return told_elsewhere();
   return table(job, context);
 }
 

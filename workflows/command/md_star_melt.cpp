@@ -3,6 +3,7 @@
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/sample_melt.hpp"
@@ -54,7 +55,7 @@ Result star_melt(Options options, Context const& context) {
                           job.settings.restart_file(), job.settings.log_file()});
   sample_melt_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
-    return {.json = {}, .text = "", .complaint = "", .silent = true};
+    return told_elsewhere();
   Result result;
   result.json = read_json(job.summary());
   result.text = melt_text(result.json);

@@ -2,6 +2,7 @@
 #include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/star/sample_vacuum.hpp"
 #include <CLI/CLI.hpp>
 
@@ -48,7 +49,7 @@ Result star_vacuum(Options const& options, Context const& context) {
                          {job.blobs(), job.summary(), s.restart_file(), s.log_file()});
   sample_vacuum_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
-    return {.json = {}, .text = "", .complaint = "", .silent = true};
+    return told_elsewhere();
   Result result;
   result.json = read_json(job.summary());
   result.text = text_of(result.json);
