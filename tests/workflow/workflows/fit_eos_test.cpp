@@ -115,11 +115,7 @@ TEST(FitEosCommand, BadInputHasACodeAndOneClearMessage) {
   };
   int ran = 0;
   for (auto const& [words, code, message] : cases) {
-    auto const result = program(with(words, {"-o", scratch / "model.toml"}));
-    EXPECT_EQ(result.status, code) << result.errors;
-    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_EQ(result.output, "");
+    tests::expect_refusal(program(with(words, {"-o", scratch / "model.toml"})), code, message);
     ++ran;
   }
   EXPECT_EQ(ran, 13);
