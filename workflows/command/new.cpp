@@ -73,7 +73,7 @@ Result write_scene(std::string const& name, Context const& context) {
 }
 
 void declare(CLI::App& app, std::string& name) {
-  app.add_option("scene", name, fmt::format("One of {}", fmt::join(names(), ", ")))
+  app.add_option("name", name, fmt::format("One of {}", fmt::join(names(), ", ")))
       ->required()
       ->type_name("NAME");
 }
