@@ -28,21 +28,6 @@ std::size_t common_blocks(std::span<EnergySamples const> samples) {
   return blocks;
 }
 
-/// Sums that leave one block out; the last entry leaves none out.
-std::vector<Sums> without_each(std::vector<Sums> const& blocks) {
-  Sums whole(blocks[0].size(), 0.0);
-  for (auto const& block : blocks)
-    std::transform(whole.begin(), whole.end(), block.begin(), whole.begin(), std::plus{});
-  std::vector<Sums> result;
-  for (auto const& block : blocks) {
-    Sums rest = whole;
-    std::transform(rest.begin(), rest.end(), block.begin(), rest.begin(), std::minus{});
-    result.push_back(std::move(rest));
-  }
-  result.push_back(std::move(whole));
-  return result;
-}
-
 /// The inverse temperatures without one block; without none for a block beyond the last.
 std::vector<double> betas_without(std::span<EnergySamples const> samples, std::size_t block) {
   std::vector<double> betas;
@@ -61,15 +46,10 @@ std::size_t EnergySamples::count() const {
 }
 
 Estimate EntropyFit::estimate(std::function<double(EntropyCurve const&)> const& number) const {
-  double const whole = number(curve), blocks = double(without.size());
-  double sum = 0, squares = 0;
-  for (auto const& other : without) {
-    double const off = number(other) - whole;
-    sum += off, squares += off * off;
-  }
-  double const mean = sum / blocks;
-  double const variance = std::max(0.0, squares - blocks * mean * mean);
-  return {whole - (blocks - 1) * mean, std::sqrt((blocks - 1) / blocks * variance), blocks};
+  std::vector<double> of_rests;
+  for (auto const& other : without)
+    of_rests.push_back(number(other));
+  return jackknifed(number(curve), of_rests);
 }
 
 EntropyFit fit_entropy(std::span<EnergySamples const> samples, EntropyRoute route, int atoms,
@@ -111,17 +91,13 @@ EntropyFit fit_entropy(std::span<EnergySamples const> samples, EntropyRoute rout
 
 namespace {
 
-Estimate jackknifed(std::vector<std::vector<double>> const& fits,
-                    std::function<double(std::vector<double> const&)> const& number) {
-  double const whole = number(fits.back()), blocks = double(fits.size() - 1);
-  double sum = 0, squares = 0;
-  for (std::size_t k = 0; k + 1 < fits.size(); ++k) {
-    double const off = number(fits[k]) - whole;
-    sum += off, squares += off * off;
-  }
-  double const mean = sum / blocks;
-  return {whole - (blocks - 1) * mean,
-          std::sqrt((blocks - 1) / blocks * std::max(0.0, squares - blocks * mean * mean)), blocks};
+/// Of fits without each block, the last one with all.
+Estimate estimate(std::vector<std::vector<double>> const& fits,
+                  std::function<double(std::vector<double> const&)> const& number) {
+  std::vector<double> values;
+  for (auto const& fit : fits)
+    values.push_back(number(fit));
+  return jackknifed(values.back(), std::span(values).first(values.size() - 1));
 }
 
 } // namespace
@@ -151,16 +127,16 @@ Equipartition::Equipartition(std::span<EnergySamples const> samples, int atoms) 
 
 Estimate Equipartition::T(double U) const {
   double const x = (U - U_ref_) / width_;
-  return jackknifed(coefficients_, [&](auto const& c) { return c[0] + x * (c[1] + x * c[2]); });
+  return estimate(coefficients_, [&](auto const& c) { return c[0] + x * (c[1] + x * c[2]); });
 }
 
 Estimate Equipartition::C(double U) const {
   double const x = (U - U_ref_) / width_;
-  return jackknifed(coefficients_, [&](auto const& c) { return width_ / (c[1] + 2 * x * c[2]); });
+  return estimate(coefficients_, [&](auto const& c) { return width_ / (c[1] + 2 * x * c[2]); });
 }
 
 Estimate Equipartition::slope_C() const {
-  return jackknifed(lines_, [&](auto const& c) { return width_ / c[1]; });
+  return estimate(lines_, [&](auto const& c) { return width_ / c[1]; });
 }
 
 } // namespace mesobridge::cg

@@ -136,23 +136,4 @@ double covariance_of_means(std::span<double const> a, std::span<double const> b)
   return std::abs(covariance) <= bound ? covariance : std::copysign(bound, covariance);
 }
 
-Estimate block_jackknife(std::span<double const> series, std::size_t blocks,
-                         std::function<double(std::span<double const>)> const& statistic) {
-  require(blocks >= 2 && blocks <= series.size() / 2, "jackknife blocks", blocks, "must be 2 ... samples/2");
-  double const whole = statistic(series);
-  std::vector<double> kept, values;
-  for (std::size_t k = 0; k < blocks; ++k) {
-    auto const first = series.begin() + std::ptrdiff_t(k * series.size() / blocks);
-    auto const last = series.begin() + std::ptrdiff_t((k + 1) * series.size() / blocks);
-    kept.assign(series.begin(), first);
-    kept.insert(kept.end(), last, series.end());
-    values.push_back(statistic(kept));
-  }
-  double const m = double(blocks), mean = mean_of(values);
-  double sum = 0;
-  for (double value : values)
-    sum += (value - mean) * (value - mean);
-  return {m * whole - (m - 1) * mean, std::sqrt((m - 1) / m * sum), m};
-}
-
 } // namespace mesobridge::cg

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -62,10 +61,5 @@ Estimate estimate_variance(std::span<double const> series);
 
 /// Covariance of the means of two series taken at the same instants, with their correlation in time.
 double covariance_of_means(std::span<double const> a, std::span<double const> b);
-
-/// Any statistic of a series with its jackknife error over blocks left out in turn, freed from its O(1/n)
-/// bias. The blocks must be several correlation times long. 2 <= blocks <= n/2.
-Estimate block_jackknife(std::span<double const> series, std::size_t blocks,
-                         std::function<double(std::span<double const>)> const& statistic);
 
 } // namespace mesobridge::cg

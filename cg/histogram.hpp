@@ -5,6 +5,14 @@
 
 namespace mesobridge::cg {
 
+/// Equal bins of [lower, upper).
+struct Bins {
+  double lower = 0, upper = 0;
+  std::size_t count = 150;
+
+  double width() const { return (upper - lower) / static_cast<double>(count); }
+};
+
 /// A probability density on equal bins, with standard errors.
 struct Histogram {
   double lower = 0, upper = 0;

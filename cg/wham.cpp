@@ -69,16 +69,25 @@ Solution solve(Sums const& counts, std::span<EnergySamples const> samples, std::
   return result;
 }
 
-} // namespace
+/// Equal bins that hold all energies.
+struct EnergyBins {
+  double low, width;
+};
 
-WhamEntropy wham(std::span<EnergySamples const> samples, std::size_t bins) {
-  require(bins >= 2, "bins of WHAM", bins, "at least 2 are needed");
+EnergyBins bins_of(std::span<EnergySamples const> samples, std::size_t bins) {
   double low = 1e300, high = -1e300;
   for (auto const& set : samples)
     for (auto const& block : set.U)
       for (double U : block)
         low = std::min(low, U), high = std::max(high, U);
-  double const width = (high - low) * (1 + 1e-12) / double(bins);
+  return {low, (high - low) * (1 + 1e-12) / double(bins)};
+}
+
+} // namespace
+
+WhamEntropy wham(std::span<EnergySamples const> samples, std::size_t bins) {
+  require(bins >= 2, "bins of WHAM", bins, "at least 2 are needed");
+  auto const [low, width] = bins_of(samples, bins);
   std::vector<double> U(bins);
   for (std::size_t b = 0; b < bins; ++b)
     U[b] = low + (double(b) + 0.5) * width;
@@ -109,12 +118,7 @@ WhamEntropy wham(std::span<EnergySamples const> samples, std::size_t bins) {
 }
 
 KineticTemperature kinetic_temperature(std::span<EnergySamples const> samples, int atoms, std::size_t bins) {
-  double low = 1e300, high = -1e300;
-  for (auto const& set : samples)
-    for (auto const& block : set.U)
-      for (double U : block)
-        low = std::min(low, U), high = std::max(high, U);
-  double const width = (high - low) * (1 + 1e-12) / double(bins);
+  auto const [low, width] = bins_of(samples, bins);
   enum : std::size_t { count, energy, kinetic, inverse, numbers };
   std::vector<Sums> blocks;
   Sums seen(bins, 0.0);

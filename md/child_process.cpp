@@ -2,10 +2,14 @@
 #include "md/error.hpp"
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
+#include <sstream>
 #include <string_view>
 #include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace mesobridge::md {
@@ -70,8 +74,9 @@ class NoStops {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) // it died before we had asked to be told
     _exit(not_executed);
-  int const nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  dup2(nothing, 0);
+  auto const streams = settings.streams.value_or(std::array{open("/dev/null", O_RDONLY | O_CLOEXEC), 1, 2});
+  for (int stream = 0; stream < 3; ++stream)
+    dup2(streams[std::size_t(stream)], stream);
   if (settings.descriptor)
     fcntl(*settings.descriptor, F_SETFD, 0);
   // A stop that came meanwhile must not be taken by the parent's handlers, which end with this program.
@@ -96,6 +101,25 @@ pid_t start_child(std::vector<std::string> argv, ChildSettings const& settings) 
   if (child == 0)
     become(command, environment, settings, parent, mask);
   return child;
+}
+
+std::optional<std::string> program_file(std::string const& name) {
+  auto const can_be_executed = [](std::filesystem::path const& file) {
+    std::error_code none;
+    return access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, none);
+  };
+  if (name.find('/') != name.npos)
+    return can_be_executed(name) ? std::optional(name) : std::nullopt;
+  char const* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (auto const file = std::filesystem::path(folder) / name; can_be_executed(file))
+      return file.string();
+  return std::nullopt;
+}
+
+int exit_code_of(int wait_status) {
+  return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
 }
 
 } // namespace mesobridge::md

@@ -6,10 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
@@ -21,16 +19,10 @@ namespace {
 
 constexpr char const* terminal_variable = "MESOBRIDGE_TERMINAL";
 
-std::string find_program(std::string const& name) {
-  char const* const path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    auto const file = std::filesystem::path(folder) / name;
-    if (access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file))
-      return file.string();
-  }
-  throw EnvironmentError(
-      fmt::format("'{}' was not found: install the package openmpi-bin, or run on one rank", name));
+std::string find_mpirun() {
+  if (auto const file = program_file("mpirun"))
+    return *file;
+  throw EnvironmentError("'mpirun' was not found: install the package openmpi-bin, or run on one rank");
 }
 
 std::vector<std::string> mpirun_command(std::string const& mpirun, int ranks,
@@ -146,7 +138,7 @@ bool reaches_terminal(int descriptor) {
 int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
   require(ranks >= 1, "ranks", ranks, "must be at least 1");
   require(!argv.empty(), "program to start on ranks", "", "must be given");
-  auto const command = mpirun_command(find_program("mpirun"), ranks, argv);
+  auto const command = mpirun_command(find_mpirun(), ranks, argv);
   require_room_for_shared_files();
   HeldSignals const signals;
   pid_t const child = start_child(
@@ -156,7 +148,7 @@ int run_on_ranks(int ranks, std::vector<std::string> const& argv) {
   auto const [status, interrupted] = wait_for(child, signals);
   if (interrupted)
     return 130;
-  int const code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  int const code = exit_code_of(status);
   if (code == 128 + SIGXFSZ)
     throw EnvironmentError("a file has come to the limit of file sizes (ulimit -f)");
   return code;

@@ -14,7 +14,4 @@ struct ProcessResult {
 /// Throws EnvironmentError if it cannot be started.
 ProcessResult run_process(std::vector<std::string> const& command, std::string const& input = "");
 
-/// Whether a program is on PATH.
-bool program_exists(std::string const& name);
-
 } // namespace mesobridge::workflows

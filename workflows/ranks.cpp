@@ -25,6 +25,26 @@ void run_on_ranks(int ranks, std::vector<std::string> const& words) {
     throw AlreadyReported{code};
 }
 
+std::vector<std::string> words_for_ranks(Context const& context) {
+  auto words = context.arguments;
+  std::erase(words, "--json");
+  words.emplace_back("--started-by-ourselves");
+  return words;
+}
+
+bool work_and_tell(Context const& context, bool started_by_ourselves, std::function<void()> const& work) {
+  if (must_start_ranks(context)) {
+    run_on_ranks(ranks_of(context), words_for_ranks(context));
+    return true;
+  }
+  work();
+  return !started_by_ourselves && md::MpiWorld().is_root();
+}
+
+Result told_elsewhere() {
+  return {.json = {}, .text = "", .complaint = "", .silent = true};
+}
+
 void work_on_ranks(Context const& context, std::vector<std::string> words,
                    std::function<void()> const& work) {
   if (!must_start_ranks(context))

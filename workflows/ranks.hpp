@@ -18,6 +18,17 @@ int ranks_of(Context const& context);
 /// result. Throws AlreadyReported if it fails, EnvironmentError if it cannot be started.
 void run_on_ranks(int ranks, std::vector<std::string> const& words);
 
+/// The words of this very call for ranks that it starts, whose result it tells itself.
+std::vector<std::string> words_for_ranks(Context const& context);
+
+/// Does a command's work on this process's rank, or has it done by this same call on ranks of its own.
+/// Whether this process tells the result: another one does where it was started for its rank, and on ranks
+/// but the first.
+bool work_and_tell(Context const& context, bool started_by_ourselves, std::function<void()> const& work);
+
+/// The result of a process that leaves the telling to another.
+Result told_elsewhere();
+
 /// Does the work on this process's rank, or has it done by this program on ranks of its own, called with the
 /// words (and --quiet where this call is).
 void work_on_ranks(Context const& context, std::vector<std::string> words, std::function<void()> const& work);

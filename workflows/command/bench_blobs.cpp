@@ -3,7 +3,7 @@
 #include "md/error.hpp"
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
@@ -97,22 +97,22 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--star", options.star, "ARMS-BEADS (default 6-3)")->type_name("N-N");
+  app.add_option("--molecules", options.molecules, "Number of stars (default 500)");
+  app.add_option("--rho", options.rho, "Beads per sigma^3 (default 0.3)");
+  app.add_option("--sample-every", options.sample_every, "Steps between frames (default 100)");
+  app.add_option("--repeats", options.repeats, "Pairs of runs, with and without (default 40)")
+      ->check(CLI::Range(16, 100000));
+}
+
 } // namespace
 
 Command bench_blobs_command() {
   return {.name = "bench blobs",
           .summary = "What measuring blobs costs beside the MD, in processor time on one core",
           .example = "mesobridge bench blobs --molecules 500",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            app.add_option("--star", options->star, "ARMS-BEADS (default 6-3)")->type_name("N-N");
-            app.add_option("--molecules", options->molecules, "Number of stars (default 500)");
-            app.add_option("--rho", options->rho, "Beads per sigma^3 (default 0.3)");
-            app.add_option("--sample-every", options->sample_every, "Steps between frames (default 100)");
-            app.add_option("--repeats", options->repeats, "Pairs of runs, with and without (default 40)")
-                ->check(CLI::Range(16, 100000));
-            return [options](Context& context) { return run(*options, context); };
-          }};
+          .declare = with_options(declare, run)};
 }
 
 } // namespace mesobridge::workflows

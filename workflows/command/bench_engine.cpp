@@ -1,7 +1,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -99,54 +99,53 @@ Result run(Options const& options, Context& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--method", options.method, "what is timed")
+      ->check(CLI::IsMember({"sdpd", "dpde", "dpd"}))
+      ->capture_default_str();
+  app.add_option("--neighbours", options.neighbours,
+                 "within the cut-off, for dpde and dpd; the kernel decides for sdpd")
+      ->check(CLI::Range(5.0, 200.0))
+      ->capture_default_str();
+  app.add_option("--scheme", options.scheme, "time-stepping scheme")
+      ->check(CLI::IsMember(sdpd::pair_scheme_names()))
+      ->capture_default_str();
+  app.add_option("--fluctuate-every", options.fluctuate_every,
+                 "conservative steps for one of fluctuation and dissipation")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--eos", options.eos, "equation of state")
+      ->check(CLI::IsMember({"ideal-gas", "argon"}))
+      ->capture_default_str();
+  app.add_option("--kernel", options.kernel, "smoothing kernel of sdpd")
+      ->check(CLI::IsMember(sdpd::kernel_names()))
+      ->capture_default_str();
+  app.add_option("--kappa", options.kappa,
+                 "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
+                 "units; 0: none")
+      ->check(CLI::Range(0.0, 1e3))
+      ->capture_default_str();
+  app.add_option("--side", options.side, "particles along an edge of the cubic box")
+      ->check(CLI::Range(6, 400))
+      ->capture_default_str();
+  app.add_option("--K", options.K, "size of a particle; for dpde its heat capacity in k_B")
+      ->check(CLI::Range(2.0, 1e9))
+      ->capture_default_str();
+  app.add_option("--steps", options.steps, "steps of one measurement")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--repeats", options.repeats, "measurements, of which the median is given")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
 } // namespace
 
 Command bench_engine_command() {
   return {.name = "bench engine",
           .summary = "Time the SDPD engine: microseconds per particle and step",
           .example = "mesobridge bench engine --eos ideal-gas --threads 2 --json",
-          .declare = [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("--method", options->method, "what is timed")
-                ->check(CLI::IsMember({"sdpd", "dpde", "dpd"}))
-                ->capture_default_str();
-            app.add_option("--neighbours", options->neighbours,
-                           "within the cut-off, for dpde and dpd; the kernel decides for sdpd")
-                ->check(CLI::Range(5.0, 200.0))
-                ->capture_default_str();
-            app.add_option("--scheme", options->scheme, "time-stepping scheme")
-                ->check(CLI::IsMember(sdpd::pair_scheme_names()))
-                ->capture_default_str();
-            app.add_option("--fluctuate-every", options->fluctuate_every,
-                           "conservative steps for one of fluctuation and dissipation")
-                ->check(CLI::Range(1, 1000))
-                ->capture_default_str();
-            app.add_option("--eos", options->eos, "equation of state")
-                ->check(CLI::IsMember({"ideal-gas", "argon"}))
-                ->capture_default_str();
-            app.add_option("--kernel", options->kernel, "smoothing kernel of sdpd")
-                ->check(CLI::IsMember(sdpd::kernel_names()))
-                ->capture_default_str();
-            app.add_option(
-                   "--kappa", options->kappa,
-                   "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
-                   "units; 0: none")
-                ->check(CLI::Range(0.0, 1e3))
-                ->capture_default_str();
-            app.add_option("--side", options->side, "particles along an edge of the cubic box")
-                ->check(CLI::Range(6, 400))
-                ->capture_default_str();
-            app.add_option("--K", options->K, "size of a particle; for dpde its heat capacity in k_B")
-                ->check(CLI::Range(2.0, 1e9))
-                ->capture_default_str();
-            app.add_option("--steps", options->steps, "steps of one measurement")
-                ->check(CLI::Range(1, 1000000))
-                ->capture_default_str();
-            app.add_option("--repeats", options->repeats, "measurements, of which the median is given")
-                ->check(CLI::Range(1, 1000))
-                ->capture_default_str();
-            return [options](Context& context) { return run(*options, context); };
-          }};
+          .declare = with_options(declare, run)};
 }
 
 } // namespace mesobridge::workflows

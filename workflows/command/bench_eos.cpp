@@ -1,7 +1,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "fitting/eos/list.hpp"
 #include "fitting/eos/tabulated.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -134,23 +134,23 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--model", options.model, "one name of `eos list`, or lj-table, instead of all");
+  app.add_option("--states", options.states, "states of one array")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  app.add_option("--repeats", options.repeats, "measurements, of which the median is given")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
 } // namespace
 
 Command bench_eos_command() {
   return {.name = "bench eos",
           .summary = "Time the equations of state: nanoseconds per call, medians of repeats",
           .example = "mesobridge bench eos --model tin --json",
-          .declare = [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("--model", options->model, "one name of `eos list`, or lj-table, instead of all");
-            app.add_option("--states", options->states, "states of one array")
-                ->check(CLI::Range(1, 10000000))
-                ->capture_default_str();
-            app.add_option("--repeats", options->repeats, "measurements, of which the median is given")
-                ->check(CLI::Range(1, 1000))
-                ->capture_default_str();
-            return [options](Context& context) { return run(*options, context); };
-          }};
+          .declare = with_options(declare, run)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,7 +1,7 @@
 #include "cg/blobs.hpp"
 #include "cg/intermolecular.hpp"
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/energy_check.hpp"
 #include "workflows/star/mapping_file.hpp"
@@ -234,28 +234,27 @@ Result blobs(Options const& options, Context const& context) {
   return Conversion(options, context).run();
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("file", options.trajectory, "LAMMPS text dump with velocities, or H5MD (.h5)")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--mapping", options.mapping,
+                 "Units, atoms, bonds and pair potential of a molecule; a bond's energy is "
+                 "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K")
+      ->required()
+      ->type_name("FILE.toml");
+  app.add_option("--dt", options.time_step,
+                 "Time step of a dump without ITEM: TIME (not given: times are steps)");
+  app.add_option("--group", options.group, "Group of particles in an H5MD file (needed if it has several)");
+}
+
 } // namespace
 
 Command cg_blobs_command() {
   return {.name = "cg blobs",
           .summary = "Blobs (R, P, U, Phi) of a trajectory's molecules",
           .example = "mesobridge cg blobs melt.lammpstrj --mapping star.toml -o out/blobs",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            app.add_option("file", options->trajectory, "LAMMPS text dump with velocities, or H5MD (.h5)")
-                ->required()
-                ->type_name("FILE");
-            app.add_option("--mapping", options->mapping,
-                           "Units, atoms, bonds and pair potential of a molecule; a bond's energy is "
-                           "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K")
-                ->required()
-                ->type_name("FILE.toml");
-            app.add_option("--dt", options->time_step,
-                           "Time step of a dump without ITEM: TIME (not given: times are steps)");
-            app.add_option("--group", options->group,
-                           "Group of particles in an H5MD file (needed if it has several)");
-            return [options](Context& context) { return blobs(*options, context); };
-          }};
+          .declare = with_options(declare, blobs)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
@@ -42,26 +42,26 @@ Result correlations(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  auto& s = options.settings;
+  app.add_option("file", options.input, "What `md star-melt` or `cg blobs` wrote")
+      ->required()
+      ->type_name("FILE.h5");
+  app.add_option("--h", options.h, "Range of the Lucy density (default: 10 at rho = 0.3 for 6-3)");
+  app.add_option("--bin-width", s.bin_width, "Of g(r) (default 0.2)");
+  app.add_option("--density-bins", s.density_bins, "Of <U>^rho (default 12)");
+  app.add_option("--map-bins", s.map_bins, "Of the map of P(K,U), along each axis (default 12)");
+  app.add_option("--pair-stride", options.pair_stride,
+                 "Frames between those whose pairs are looked at (default: an eighth of tau_U)");
+}
+
 } // namespace
 
 Command cg_correlations_command() {
   return {.name = "cg correlations",
           .summary = "Test the key approximation: are R, P and U of the blobs independent?",
           .example = "mesobridge cg correlations out/melt/blobs.h5",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            auto& s = options->settings;
-            app.add_option("file", options->input, "What `md star-melt` or `cg blobs` wrote")
-                ->required()
-                ->type_name("FILE.h5");
-            app.add_option("--h", options->h, "Range of the Lucy density (default: 10 at rho = 0.3 for 6-3)");
-            app.add_option("--bin-width", s.bin_width, "Of g(r) (default 0.2)");
-            app.add_option("--density-bins", s.density_bins, "Of <U>^rho (default 12)");
-            app.add_option("--map-bins", s.map_bins, "Of the map of P(K,U), along each axis (default 12)");
-            app.add_option("--pair-stride", options->pair_stride,
-                           "Frames between those whose pairs are looked at (default: an eighth of tau_U)");
-            return [options](Context& context) { return correlations(*options, context); };
-          }};
+          .declare = with_options(declare, correlations)};
 }
 
 } // namespace mesobridge::workflows

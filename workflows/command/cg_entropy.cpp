@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ struct Options {
 };
 
 Result entropy(Options const& options, Context const& context) {
-  EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
+  EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
   Provenance provenance{
       .command = context.command_line(), .seed = context.options.seed.value_or(0), .scene = "", .inputs = {}};
   std::string units;
@@ -29,10 +29,10 @@ Result entropy(Options const& options, Context const& context) {
     units = text;
     provenance.inputs.push_back(*file);
   };
-  load(options.melt, inputs.melt);
-  load(options.vacuum, inputs.vacuum);
-  load(options.microcanonical, inputs.microcanonical);
-  auto const routes = entropy_routes(inputs);
+  load(options.melt, files.melt);
+  load(options.vacuum, files.vacuum);
+  load(options.microcanonical, files.microcanonical);
+  auto const routes = entropy_routes(std::move(files));
   auto const directory = context.output_directory("out/entropy");
   Result result;
   result.json = entropy_json(routes);
@@ -44,23 +44,22 @@ Result entropy(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--melt", options.melt, "What `md star-melt` wrote")->type_name("FILE.h5");
+  app.add_option("--vacuum", options.vacuum, "What `md star-vacuum --T` wrote")->type_name("FILE.h5");
+  app.add_option("--vacuum-nve", options.microcanonical,
+                 "What `md star-vacuum --U` wrote: the thesis's estimator uses it")
+      ->type_name("FILE.h5");
+  app.add_option("--order", options.order, "Terms of S(ln U), 1 ... 5 (default 3)");
+}
+
 } // namespace
 
 Command cg_entropy_command() {
-  return {
-      .name = "cg entropy",
-      .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
-      .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        app.add_option("--melt", options->melt, "What `md star-melt` wrote")->type_name("FILE.h5");
-        app.add_option("--vacuum", options->vacuum, "What `md star-vacuum --T` wrote")->type_name("FILE.h5");
-        app.add_option("--vacuum-nve", options->microcanonical,
-                       "What `md star-vacuum --U` wrote: the thesis's estimator uses it")
-            ->type_name("FILE.h5");
-        app.add_option("--order", options->order, "Terms of S(ln U), 1 ... 5 (default 3)");
-        return [options](Context& context) { return entropy(*options, context); };
-      }};
+  return {.name = "cg entropy",
+          .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
+          .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",
+          .declare = with_options(declare, entropy)};
 }
 
 } // namespace mesobridge::workflows

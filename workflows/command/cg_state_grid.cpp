@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
@@ -42,17 +42,17 @@ Result state_grid(std::filesystem::path const& input, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, std::filesystem::path& input) {
+  app.add_option("file", input, "What `md lj-grid` wrote")->required()->type_name("FILE.h5");
+}
+
 } // namespace
 
 Command cg_state_grid_command() {
   return {.name = "cg state-grid",
           .summary = "Pressure, energy and heat capacity of each sampled state, with errors",
           .example = "mesobridge cg state-grid out/lj/lj-grid.h5",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto input = std::make_shared<std::filesystem::path>();
-            app.add_option("file", *input, "What `md lj-grid` wrote")->required()->type_name("FILE.h5");
-            return [input](Context& context) { return state_grid(*input, context); };
-          }};
+          .declare = with_options(declare, state_grid)};
 }
 
 } // namespace mesobridge::workflows

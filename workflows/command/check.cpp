@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
@@ -73,22 +73,22 @@ Result check(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("scene", options.scene, "The scene file")->type_name("SCENE.toml");
+  app.add_option("--set", options.overrides, "Replace a value: section.key=value")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--keys", options.keys, "Explain all keys of a scene");
+}
+
 } // namespace
 
 Command check_command() {
   return {.name = "check",
           .summary = "Validate a scene, print it as resolved and estimate its cost; runs nothing",
           .example = "mesobridge check workflows/scenes/argon-1000K.toml --set particles.K=1000",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            app.add_option("scene", options->scene, "The scene file")->type_name("SCENE.toml");
-            app.add_option("--set", options->overrides, "Replace a value: section.key=value")
-                ->type_name("KEY=VALUE")
-                ->expected(1)
-                ->take_all();
-            app.add_flag("--keys", options->keys, "Explain all keys of a scene");
-            return [options](Context& context) { return check(*options, context); };
-          }};
+          .declare = with_options(declare, check)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,7 +1,8 @@
+#include "md/child_process.hpp"
 #include "md/error.hpp"
 #include "md/lammps_session.hpp"
 #include "md/metal_potential.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/store/store.hpp"
@@ -26,7 +27,7 @@ std::string first_line(std::string const& text) {
 
 Finding examine_program(std::string const& name, std::string const& version_option,
                         std::string const& package, std::string const& needed_for) {
-  Finding finding{name, program_exists(name), "",
+  Finding finding{name, md::program_file(name).has_value(), "",
                   fmt::format("needed for {}; apt-get install {}", needed_for, package)};
   if (finding.present) {
     auto const answer = run_process({name, version_option});

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/columns.hpp"
 #include "workflows/eos/detonation_options.hpp"
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ Columns detonation_columns(fitting::Shock const& cj) {
   return columns;
 }
 
-Result chapman_jouguet(DetonationOptions const& options) {
+Result chapman_jouguet(DetonationOptions const& options, Context const&) {
   auto const explosive = workflows::explosive(options);
   bool const reduced = explosive.product.reduced;
   auto const cj = explosive.crussard.chapman_jouguet();
@@ -45,6 +45,23 @@ Result chapman_jouguet(DetonationOptions const& options) {
   return result;
 }
 
+void declare(CLI::App& app, DetonationOptions& options) {
+  options.declare(app);
+  app.description(
+      "The Chapman-Jouguet detonation: the slowest one, whose Rayleigh line touches the Crussard curve "
+      "and "
+      "whose products leave the front at their speed of sound. Solved from the sonic condition; the "
+      "tangency and the minimum of D are checked.\n\n"
+      "About nitromethane: from 1104 kg/m^3, 300 K with q = 4.716e6 J/kg (4.78e-19 J a molecule, the "
+      "exothermicity that the thesis prints) D is 6757 m/s. The thesis quotes 6620 m/s as the "
+      "hydrodynamic "
+      "prediction; its own equations give that for q = 3.52e6 J/kg, and it does not say which heat it "
+      "took. The JWL model of the products was calibrated with the heat of reaction inside its zero of "
+      "energy: with --q 0 from 1128 kg/m^3 it returns its calibration, 6280 m/s, so that any q > 0 "
+      "counts "
+      "heat on top of that.");
+}
+
 } // namespace
 
 Command eos_cj_command() {
@@ -54,24 +71,7 @@ Command eos_cj_command() {
       .example =
           "mesobridge eos cj --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 "
           "--q 4.716e6",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<DetonationOptions>();
-        options->declare(app);
-        app.description(
-            "The Chapman-Jouguet detonation: the slowest one, whose Rayleigh line touches the Crussard curve "
-            "and "
-            "whose products leave the front at their speed of sound. Solved from the sonic condition; the "
-            "tangency and the minimum of D are checked.\n\n"
-            "About nitromethane: from 1104 kg/m^3, 300 K with q = 4.716e6 J/kg (4.78e-19 J a molecule, the "
-            "exothermicity that the thesis prints) D is 6757 m/s. The thesis quotes 6620 m/s as the "
-            "hydrodynamic "
-            "prediction; its own equations give that for q = 3.52e6 J/kg, and it does not say which heat it "
-            "took. The JWL model of the products was calibrated with the heat of reaction inside its zero of "
-            "energy: with --q 0 from 1128 kg/m^3 it returns its calibration, 6280 m/s, so that any q > 0 "
-            "counts "
-            "heat on top of that.");
-        return [options](Context&) { return chapman_jouguet(*options); };
-      }};
+      .declare = with_options(declare, chapman_jouguet)};
 }
 
 } // namespace mesobridge::workflows

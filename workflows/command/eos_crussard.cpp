@@ -1,5 +1,5 @@
 #include "fitting/isentrope.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/detonation_options.hpp"
 #include "workflows/eos/shock_options.hpp"
@@ -94,6 +94,11 @@ Result crussard(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.detonation.declare(app);
+  options.shock.declare(app);
+}
+
 } // namespace
 
 Command eos_crussard_command() {
@@ -102,12 +107,7 @@ Command eos_crussard_command() {
           .example =
               "mesobridge eos crussard --reactant nitromethane --product nitromethane-products --rho0 1104 "
               "--T0 300 --q 4.716e6 --P-max 3e10 -o crussard.svg",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            options->detonation.declare(app);
-            options->shock.declare(app);
-            return [options](Context& context) { return crussard(*options, context); };
-          }};
+          .declare = with_options(declare, crussard)};
 }
 
 } // namespace mesobridge::workflows

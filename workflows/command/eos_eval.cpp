@@ -1,6 +1,6 @@
 #include "fitting/eos/evaluate.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/eos_options.hpp"
 #include <CLI/CLI.hpp>
@@ -82,21 +82,21 @@ Result eval(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.eos.declare(app);
+  app.add_option("--rho", options.rho, "Density, in the model's units (SI: kg/m^3)")->required();
+  app.add_option("--T", options.T, "Temperature (SI: K)");
+  app.add_option("--e", options.e, "Instead of --T: energy per mass (SI: J/kg)");
+  app.add_option("--s", options.s, "Instead of --T: entropy per mass (SI: J/(kg K))");
+}
+
 } // namespace
 
 Command eos_eval_command() {
   return {.name = "eos eval",
           .summary = "Every thermodynamic quantity of a model at one state",
           .example = "mesobridge eos eval --model argon --rho 1150 --T 1000",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            options->eos.declare(app);
-            app.add_option("--rho", options->rho, "Density, in the model's units (SI: kg/m^3)")->required();
-            app.add_option("--T", options->T, "Temperature (SI: K)");
-            app.add_option("--e", options->e, "Instead of --T: energy per mass (SI: J/kg)");
-            app.add_option("--s", options->s, "Instead of --T: entropy per mass (SI: J/(kg K))");
-            return [options](Context& context) { return eval(*options, context); };
-          }};
+          .declare = with_options(declare, eval)};
 }
 
 } // namespace mesobridge::workflows

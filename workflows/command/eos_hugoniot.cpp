@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/eos/shock_options.hpp"
@@ -63,19 +63,19 @@ Result hugoniot(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.eos.declare(app);
+  options.initial.declare(app);
+  options.shock.declare(app);
+}
+
 } // namespace
 
 Command eos_hugoniot_command() {
   return {.name = "eos hugoniot",
           .summary = "The state behind a shock, and the Hugoniot curve (-o FILE.csv, .svg or .html)",
           .example = "mesobridge eos hugoniot --model argon --rho0 1150 --T0 500 --vp 500",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            options->eos.declare(app);
-            options->initial.declare(app);
-            options->shock.declare(app);
-            return [options](Context& context) { return hugoniot(*options, context); };
-          }};
+          .declare = with_options(declare, hugoniot)};
 }
 
 } // namespace mesobridge::workflows

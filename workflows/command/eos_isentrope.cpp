@@ -1,6 +1,6 @@
 #include "fitting/isentrope.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"
@@ -79,21 +79,21 @@ Result isentrope(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.eos.declare(app);
+  options.initial.declare(app);
+  app.add_option("--rho", options.rho, "Density to go to (SI: kg/m^3)");
+  app.add_option("--P", options.P, "Instead: pressure to go to (SI: Pa)");
+  app.add_option("--points", options.points, "Steps of the curve");
+}
+
 } // namespace
 
 Command eos_isentrope_command() {
   return {.name = "eos isentrope",
           .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
           .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            options->eos.declare(app);
-            options->initial.declare(app);
-            app.add_option("--rho", options->rho, "Density to go to (SI: kg/m^3)");
-            app.add_option("--P", options->P, "Instead: pressure to go to (SI: Pa)");
-            app.add_option("--points", options->points, "Steps of the curve");
-            return [options](Context& context) { return isentrope(*options, context); };
-          }};
+          .declare = with_options(declare, isentrope)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,6 +1,6 @@
 #include "fitting/eos/list.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 
 namespace mesobridge::workflows {
 

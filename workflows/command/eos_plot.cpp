@@ -1,7 +1,7 @@
 #include "fitting/isentrope.hpp"
 #include "fitting/shock_relations.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"
@@ -107,6 +107,18 @@ Result plot(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--model", options.models, "Names of `eos list`, or models' files")
+      ->required()
+      ->type_name("NAME|FILE");
+  app.add_option("--T", options.isotherms, "Temperatures of isotherms (SI: K)");
+  app.add_option("--rho0", options.rho0, "Hugoniot and isentrope start at this density (SI: kg/m^3)");
+  app.add_option("--T0", options.T0, "and this temperature (SI: K)");
+  app.add_option("--rho-min", options.rho_min, "Least density of the drawing (SI: kg/m^3)")->required();
+  app.add_option("--rho-max", options.rho_max, "Greatest density (SI: kg/m^3)")->required();
+  app.add_option("--points", options.points, "Points of a curve");
+}
+
 } // namespace
 
 Command eos_plot_command() {
@@ -116,20 +128,7 @@ Command eos_plot_command() {
       .example =
           "mesobridge eos plot --model argon --T 300 1000 --rho0 1150 --T0 500 --rho-min 800 --rho-max 1700 "
           "-o argon.svg",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        app.add_option("--model", options->models, "Names of `eos list`, or models' files")
-            ->required()
-            ->type_name("NAME|FILE");
-        app.add_option("--T", options->isotherms, "Temperatures of isotherms (SI: K)");
-        app.add_option("--rho0", options->rho0, "Hugoniot and isentrope start at this density (SI: kg/m^3)");
-        app.add_option("--T0", options->T0, "and this temperature (SI: K)");
-        app.add_option("--rho-min", options->rho_min, "Least density of the drawing (SI: kg/m^3)")
-            ->required();
-        app.add_option("--rho-max", options->rho_max, "Greatest density (SI: kg/m^3)")->required();
-        app.add_option("--points", options->points, "Points of a curve");
-        return [options](Context& context) { return plot(*options, context); };
-      }};
+      .declare = with_options(declare, plot)};
 }
 
 } // namespace mesobridge::workflows

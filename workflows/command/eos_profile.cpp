@@ -1,6 +1,6 @@
 #include "fitting/shock_profile.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include <CLI/CLI.hpp>
@@ -70,23 +70,23 @@ Result profile(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.eos.declare(app);
+  options.initial.declare(app);
+  app.add_option("--vp", options.v_P, "Velocity of the piston (SI: m/s)")->required();
+  app.add_option("--eta", options.transport.shear_viscosity, "Shear viscosity (SI: Pa s)")->required();
+  app.add_option("--zeta", options.transport.bulk_viscosity, "Bulk viscosity (SI: Pa s)");
+  app.add_option("--kappa", options.transport.conductivity, "Heat conductivity (SI: W/(m K))");
+}
+
 } // namespace
 
 Command eos_profile_command() {
-  return {
-      .name = "eos profile",
-      .summary = "The front of a shock by the Navier-Stokes equations (-o FILE.csv, .svg or .html)",
-      .example = "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        options->eos.declare(app);
-        options->initial.declare(app);
-        app.add_option("--vp", options->v_P, "Velocity of the piston (SI: m/s)")->required();
-        app.add_option("--eta", options->transport.shear_viscosity, "Shear viscosity (SI: Pa s)")->required();
-        app.add_option("--zeta", options->transport.bulk_viscosity, "Bulk viscosity (SI: Pa s)");
-        app.add_option("--kappa", options->transport.conductivity, "Heat conductivity (SI: W/(m K))");
-        return [options](Context& context) { return profile(*options, context); };
-      }};
+  return {.name = "eos profile",
+          .summary = "The front of a shock by the Navier-Stokes equations (-o FILE.csv, .svg or .html)",
+          .example =
+              "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
+          .declare = with_options(declare, profile)};
 }
 
 } // namespace mesobridge::workflows

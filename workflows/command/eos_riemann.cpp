@@ -1,6 +1,6 @@
 #include "fitting/riemann.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"
@@ -111,6 +111,12 @@ Result riemann(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.left.declare(app, "left");
+  options.right.declare(app, "right");
+  app.add_option("--points", options.points, "Points of the curve");
+}
+
 } // namespace
 
 Command eos_riemann_command() {
@@ -120,13 +126,7 @@ Command eos_riemann_command() {
       .example =
           "mesobridge eos riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water "
           "--rho-right 997 --T-right 300 -o waves.svg",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        options->left.declare(app, "left");
-        options->right.declare(app, "right");
-        app.add_option("--points", options->points, "Points of the curve");
-        return [options](Context& context) { return riemann(*options, context); };
-      }};
+      .declare = with_options(declare, riemann)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos/columns.hpp"
 #include "workflows/eos/named_fluid.hpp"
 #include "workflows/interrupt.hpp"
@@ -101,6 +101,16 @@ Result table(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.eos.declare(app);
+  app.add_option("--rho-min", options.rho.min, "Least density (SI: kg/m^3)")->required();
+  app.add_option("--rho-max", options.rho.max, "Greatest density (SI: kg/m^3)")->required();
+  app.add_option("--rho-points", options.rho.points, "Densities, evenly spaced");
+  app.add_option("--T-min", options.T.min, "Least temperature (SI: K)")->required();
+  app.add_option("--T-max", options.T.max, "Greatest temperature (SI: K)")->required();
+  app.add_option("--T-points", options.T.points, "Temperatures, evenly spaced");
+}
+
 } // namespace
 
 Command eos_table_command() {
@@ -109,17 +119,7 @@ Command eos_table_command() {
           .example =
               "mesobridge eos table --model argon --rho-min 800 --rho-max 1600 --T-min 200 --T-max 1000 "
               "-o argon.csv",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            options->eos.declare(app);
-            app.add_option("--rho-min", options->rho.min, "Least density (SI: kg/m^3)")->required();
-            app.add_option("--rho-max", options->rho.max, "Greatest density (SI: kg/m^3)")->required();
-            app.add_option("--rho-points", options->rho.points, "Densities, evenly spaced");
-            app.add_option("--T-min", options->T.min, "Least temperature (SI: K)")->required();
-            app.add_option("--T-max", options->T.max, "Greatest temperature (SI: K)")->required();
-            app.add_option("--T-points", options->T.points, "Temperatures, evenly spaced");
-            return [options](Context& context) { return table(*options, context); };
-          }};
+          .declare = with_options(declare, table)};
 }
 
 } // namespace mesobridge::workflows

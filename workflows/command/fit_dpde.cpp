@@ -1,6 +1,6 @@
 #include "fitting/fit_dpde.hpp"
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
@@ -37,9 +37,9 @@ Result fit_dpde(Options const& options, Context const& context) {
   auto data = read_blobs(options.file);
   bool const melt = data.head.kind == "melt";
   auto const name = data.head.name;
-  EntropyInputs inputs{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
-  (melt ? inputs.melt : inputs.vacuum) = std::move(data);
-  auto const routes = entropy_routes(inputs);
+  EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
+  (melt ? files.melt : files.vacuum) = std::move(data);
+  auto const routes = entropy_routes(std::move(files));
   std::string const route =
       std::string(melt ? "melt" : "vacuum") + (options.route == "kinetic" ? "_kinetic" : "");
   auto const* const curve = routes.curve(route);
@@ -68,25 +68,25 @@ Result fit_dpde(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("file", options.file, "What `md star-melt` or `md star-vacuum --T` wrote")
+      ->required()
+      ->type_name("FILE.h5");
+  options.route = "density";
+  app.add_option("--route", options.route, "density (ln P(U) + beta U) or kinetic (<1/E_kin>)")
+      ->check(CLI::IsMember({"density", "kinetic"}));
+  app.add_option("--order", options.order, "Terms of S(ln U), 1 ... 5 (default 3)");
+  app.add_option("--T-min", options.range.T_min, "Lowest temperature of the model (default 0.05)");
+  app.add_option("--T-max", options.range.T_max, "Highest temperature of the model (default 10)");
+}
+
 } // namespace
 
 Command fit_dpde_command() {
   return {.name = "fit dpde",
           .summary = "Internal energy of a DPDE particle from the blobs of a melt or of isolated molecules",
           .example = "mesobridge fit dpde out/vacuum/vacuum.h5 -o out/dpde",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            app.add_option("file", options->file, "What `md star-melt` or `md star-vacuum --T` wrote")
-                ->required()
-                ->type_name("FILE.h5");
-            options->route = "density";
-            app.add_option("--route", options->route, "density (ln P(U) + beta U) or kinetic (<1/E_kin>)")
-                ->check(CLI::IsMember({"density", "kinetic"}));
-            app.add_option("--order", options->order, "Terms of S(ln U), 1 ... 5 (default 3)");
-            app.add_option("--T-min", options->range.T_min, "Lowest temperature of the model (default 0.05)");
-            app.add_option("--T-max", options->range.T_max, "Highest temperature of the model (default 10)");
-            return [options](Context& context) { return fit_dpde(*options, context); };
-          }};
+          .declare = with_options(declare, fit_dpde)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,4 @@
-#include "workflows/command/list.hpp"
+#include "workflows/command.hpp"
 #include "workflows/eos_fit/fit_command.hpp"
 
 namespace mesobridge::workflows {

@@ -1,6 +1,6 @@
 #include "fitting/model_file.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/lj/fit_summary.hpp"
 #include "workflows/lj/state_grid_file.hpp"
@@ -54,32 +54,30 @@ Result fit(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("data", options.data, "What `cg state-grid` wrote")->required()->type_name("DATA.h5");
+  app.add_option("--prior", options.prior, "Start from the 1993 set and correct it, or from nothing")
+      ->check(CLI::IsMember({"published", "none"}));
+  app.add_option("--prior-width", options.prior_width,
+                 "Relative uncertainty of the prior's U and P (default: of largest evidence)");
+  app.add_flag("--fit-gamma", options.fit.fit_gamma, "Search gamma as well");
+  // U and P are so correlated that errors of cut-off, size and time step show in a combination of the
+  // two.
+  options.fit.relative_error_floor = 1e-3;
+  app.add_option("--error-floor", options.fit.relative_error_floor,
+                 "Systematic relative error of the data, added in quadrature");
+  app.add_option("--folds", options.fit.folds, "Leave out every k-th state together (0: one at a time)");
+  app.add_option("--units", options.units, "Units of the model: lj, or SI of argon")
+      ->check(CLI::IsMember({"lj", "argon"}));
+}
+
 } // namespace
 
 Command fit_lj_bwr_command() {
-  return {
-      .name = "fit lj-bwr",
-      .summary = "Fit the BWR equation of state of the Lennard-Jones fluid to a table of states",
-      .example = "mesobridge fit lj-bwr out/lj/state-grid.h5 -o out/lj/model.toml --units argon",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        app.add_option("data", options->data, "What `cg state-grid` wrote")->required()->type_name("DATA.h5");
-        app.add_option("--prior", options->prior, "Start from the 1993 set and correct it, or from nothing")
-            ->check(CLI::IsMember({"published", "none"}));
-        app.add_option("--prior-width", options->prior_width,
-                       "Relative uncertainty of the prior's U and P (default: of largest evidence)");
-        app.add_flag("--fit-gamma", options->fit.fit_gamma, "Search gamma as well");
-        // U and P are so correlated that errors of cut-off, size and time step show in a combination of the
-        // two.
-        options->fit.relative_error_floor = 1e-3;
-        app.add_option("--error-floor", options->fit.relative_error_floor,
-                       "Systematic relative error of the data, added in quadrature");
-        app.add_option("--folds", options->fit.folds,
-                       "Leave out every k-th state together (0: one at a time)");
-        app.add_option("--units", options->units, "Units of the model: lj, or SI of argon")
-            ->check(CLI::IsMember({"lj", "argon"}));
-        return [options](Context& context) { return fit(*options, context); };
-      }};
+  return {.name = "fit lj-bwr",
+          .summary = "Fit the BWR equation of state of the Lennard-Jones fluid to a table of states",
+          .example = "mesobridge fit lj-bwr out/lj/state-grid.h5 -o out/lj/model.toml --units argon",
+          .declare = with_options(declare, fit)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,10 +1,44 @@
 #include "workflows/command/list.hpp"
-#include "workflows/command/studies.hpp"
-#include "workflows/command/star_commands.hpp"
 
 namespace mesobridge::workflows {
 
-// clang-format off
+// Each command is a file of this folder; it is declared here and nowhere else.
+Command md_lj_grid_command();
+Command md_metal_grid_command();
+Command md_hugoniot_command();
+Command md_star_melt_command();
+Command md_star_vacuum_command();
+Command cg_state_grid_command();
+Command cg_blobs_command();
+Command cg_correlations_command();
+Command cg_entropy_command();
+Command fit_lj_bwr_command();
+Command fit_mie_gruneisen_command();
+Command fit_hz_command();
+Command fit_jwl_command();
+Command fit_dpde_command();
+Command eos_eval_command();
+Command eos_list_command();
+Command eos_hugoniot_command();
+Command eos_crussard_command();
+Command eos_cj_command();
+Command eos_isentrope_command();
+Command eos_profile_command();
+Command eos_riemann_command();
+Command eos_plot_command();
+Command eos_table_command();
+Command new_command();
+Command run_command();
+Command workflow_lj_to_sdpd_command();
+Command trade_off_command();
+Command workflow_star_polymers_command();
+Command reproduce_command();
+Command check_command();
+Command bench_engine_command();
+Command bench_eos_command();
+Command bench_blobs_command();
+Command doctor_command();
+
 std::vector<Command> commands() {
   return {
       md_lj_grid_command(),
@@ -31,6 +65,7 @@ std::vector<Command> commands() {
       eos_riemann_command(),
       eos_plot_command(),
       eos_table_command(),
+      new_command(),
       run_command(),
       workflow_lj_to_sdpd_command(),
       trade_off_command(),
@@ -43,6 +78,5 @@ std::vector<Command> commands() {
       doctor_command(),
   };
 }
-// clang-format on
 
 } // namespace mesobridge::workflows

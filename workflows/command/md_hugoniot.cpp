@@ -1,8 +1,8 @@
+#include "cg/hugoniot_plan.hpp"
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/metal/hugoniostat_check.hpp"
-#include "workflows/metal/hugoniot_plan.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
 #include "workflows/metal/metal_table.hpp"
@@ -24,7 +24,7 @@ constexpr char const* meaning = "equilibrium states of even compression: behind 
 
 struct Options {
   MetalOptions metal;
-  HugoniotRequest request;
+  cg::HugoniotRequest request;
   bool hugoniostat = false;
 };
 
@@ -33,30 +33,30 @@ cg::Phase start_of(md::MetalSettings const& settings) {
 }
 
 /// Refuses what cannot be sampled before any rank starts.
-void check(HugoniotRequest request, md::MetalSettings const& settings) {
+void check(cg::HugoniotRequest request, md::MetalSettings const& settings) {
   md::check({.rho = request.rho0.value_or(md::stated_density(settings.potential)), .T = request.T0},
             settings);
   for (double compression : request.compressions)
     require(compression >= 1.01, "--compression", compression, "must be at least 1.01");
   for (double v_P : request.v_P)
     require(v_P > 0 && std::isfinite(v_P), "--vp [m/s]", v_P, "must be > 0");
-  QuasiharmonicMetal metal(md::MpiWorld(), settings);
+  md::QuasiharmonicMetal metal(md::MpiWorld(), settings);
   if (!request.rho0)
     request.rho0 = metal.zero_pressure_density(request.T0);
-  for (auto const& state : plan_hugoniot(request, metal, start_of(settings), {}).missing)
+  for (auto const& state : cg::plan_hugoniot(request, metal, start_of(settings), {}).missing)
     md::check(state, settings);
 }
 
 /// On the ranks that run already: samples what the plan asks for until it asks for nothing.
-void sample(MetalJob const& job, HugoniotRequest const& request, Context const& context) {
+void sample(MetalJob const& job, cg::HugoniotRequest const& request, Context const& context) {
   guard_ranks([&] {
     md::MpiWorld const world;
     if (!world.is_root())
       return MetalSampler::serve(world, job);
     MetalSampler sampler(world, job, context);
-    QuasiharmonicMetal metal(world, job.settings);
+    md::QuasiharmonicMetal metal(world, job.settings);
     for (;;) {
-      auto const curve = plan_hugoniot(request, metal, start_of(job.settings), sampler.points());
+      auto const curve = cg::plan_hugoniot(request, metal, start_of(job.settings), sampler.points());
       if (curve.missing.empty())
         break;
       sampler.sample(curve.missing,
@@ -85,12 +85,13 @@ std::string line_text(cg::Line const& line, std::size_t points) {
 }
 
 /// Rereads what was sampled and writes the curve.
-Result curve(MetalJob const& job, HugoniotRequest const& request, bool hugoniostat, Context const& context) {
+Result curve(MetalJob const& job, cg::HugoniotRequest const& request, bool hugoniostat,
+             Context const& context) {
   auto const directory = job.runs.parent_path();
   auto const description = job.settings.description();
   auto const sampled = read_metal_points(job.runs, job.settings).points;
-  QuasiharmonicMetal metal(md::MpiWorld(), job.settings);
-  auto const found = plan_hugoniot(request, metal, start_of(job.settings), sampled);
+  md::QuasiharmonicMetal metal(md::MpiWorld(), job.settings);
+  auto const found = cg::plan_hugoniot(request, metal, start_of(job.settings), sampled);
   if (found.points.empty())
     throw PhysicsError(
         fmt::format("no point of the Hugoniot curve was found: {}", fmt::join(found.unsolved, "; ")));
@@ -155,44 +156,35 @@ Result hugoniot(Options const& options, Context const& context) {
     keep_earlier_results(context, options.metal.started_by_ourselves, directory,
                          {job.runs, directory / "hugoniot.h5", directory / "hugoniot.csv",
                           directory / "hugoniot.json", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    run_on_ranks(ranks_of(context), words_for_ranks(context));
-  } else {
-    sample(job, request, context);
-    if (options.metal.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, request, context); }))
+    return told_elsewhere();
   return curve(job, request, options.hugoniostat, context);
+}
+
+void declare(CLI::App& app, Options& options) {
+  add_options(app, options.metal);
+  app.add_option("--T0", options.request.T0, "Temperature before the shock [K]");
+  app.add_option("--rho0", options.request.rho0, "Density before it [kg/m^3] (default: of zero pressure)")
+      ->type_name("REAL");
+  app.add_option("--compression", options.request.compressions,
+                 "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
+      ->delimiter(',')
+      ->default_str("");
+  app.add_option("--vp", options.request.v_P,
+                 "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
+      ->delimiter(',')
+      ->default_str("");
+  app.add_flag("--hugoniostat", options.hugoniostat,
+               "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
 }
 
 } // namespace
 
 Command md_hugoniot_command() {
-  return {
-      .name = "md hugoniot",
-      .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
-      .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        add_options(app, options->metal);
-        app.add_option("--T0", options->request.T0, "Temperature before the shock [K]");
-        app.add_option("--rho0", options->request.rho0,
-                       "Density before it [kg/m^3] (default: of zero pressure)")
-            ->type_name("REAL");
-        app.add_option("--compression", options->request.compressions,
-                       "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
-            ->delimiter(',')
-            ->default_str("");
-        app.add_option(
-               "--vp", options->request.v_P,
-               "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
-            ->delimiter(',')
-            ->default_str("");
-        app.add_flag(
-            "--hugoniostat", options->hugoniostat,
-            "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
-        return [options](Context& context) { return hugoniot(*options, context); };
-      }};
+  return {.name = "md hugoniot",
+          .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
+          .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
+          .declare = with_options(declare, hugoniot)};
 }
 
 } // namespace mesobridge::workflows

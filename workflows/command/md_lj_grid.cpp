@@ -1,6 +1,6 @@
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_grid.hpp"
@@ -43,16 +43,8 @@ Result lj_grid(Options const& options, Context const& context) {
   auto const job = job_of(options, context); // before any rank starts: bad input is told once
   keep_earlier_results(context, options.started_by_ourselves, job.directory,
                        {job.directory / "lj-grid.h5", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    auto words = context.arguments;
-    std::erase(words, "--json");
-    words.push_back("--started-by-ourselves");
-    run_on_ranks(ranks_of(context), words);
-  } else {
-    sample_grid(job, context);
-    if (options.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.started_by_ourselves, [&] { sample_grid(job, context); }))
+    return told_elsewhere();
   auto const file = (job.directory / "lj-grid.h5").string();
   Result result;
   result.json = {{"file", file},
@@ -66,31 +58,28 @@ Result lj_grid(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--preset", options.preset, "quick (minutes), standard (an hour) or paper")
+      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  app.add_option("--atoms", options.atoms, "Atoms of one state, 4 n^3")->type_name("INT");
+  app.add_option("--cutoff", options.cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");
+  app.add_option("--sampling-steps", options.sampling_steps, "Sampled steps of one state")->type_name("INT");
+  app.add_option("--rho-min", options.region.rho_min, "Region: lowest density [sigma^-3]");
+  app.add_option("--rho-max", options.region.rho_max, "Region: highest density [sigma^-3]");
+  app.add_option("--T-min", options.region.T_min, "Region: lowest temperature [epsilon/k_B]");
+  app.add_option("--T-max", options.region.T_max, "Region: highest temperature [epsilon/k_B]");
+  app.add_option("--densities", options.densities, "Densities of the grid")->type_name("INT");
+  app.add_option("--temperatures", options.temperatures, "Temperatures of the grid")->type_name("INT");
+  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+}
+
 } // namespace
 
 Command md_lj_grid_command() {
-  return {
-      .name = "md lj-grid",
-      .summary = "Sample a Lennard-Jones fluid over a grid of states with LAMMPS",
-      .example = "mesobridge md lj-grid --preset quick -o out/lj",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        app.add_option("--preset", options->preset, "quick (minutes), standard (an hour) or paper")
-            ->check(CLI::IsMember({"quick", "standard", "paper"}));
-        app.add_option("--atoms", options->atoms, "Atoms of one state, 4 n^3")->type_name("INT");
-        app.add_option("--cutoff", options->cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");
-        app.add_option("--sampling-steps", options->sampling_steps, "Sampled steps of one state")
-            ->type_name("INT");
-        app.add_option("--rho-min", options->region.rho_min, "Region: lowest density [sigma^-3]");
-        app.add_option("--rho-max", options->region.rho_max, "Region: highest density [sigma^-3]");
-        app.add_option("--T-min", options->region.T_min, "Region: lowest temperature [epsilon/k_B]");
-        app.add_option("--T-max", options->region.T_max, "Region: highest temperature [epsilon/k_B]");
-        app.add_option("--densities", options->densities, "Densities of the grid")->type_name("INT");
-        app.add_option("--temperatures", options->temperatures, "Temperatures of the grid")->type_name("INT");
-        app.add_flag("--started-by-ourselves", options->started_by_ourselves)
-            ->group(""); // for run_on_ranks only
-        return [options](Context& context) { return lj_grid(*options, context); };
-      }};
+  return {.name = "md lj-grid",
+          .summary = "Sample a Lennard-Jones fluid over a grid of states with LAMMPS",
+          .example = "mesobridge md lj-grid --preset quick -o out/lj",
+          .declare = with_options(declare, lj_grid)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
@@ -82,14 +82,19 @@ Result metal_grid(Options const& options, Context const& context) {
     keep_earlier_results(context, options.metal.started_by_ourselves, directory,
                          {job.runs, directory / "metal-grid.h5", directory / "metal-grid.csv",
                           directory / "metal-grid.json", job.settings.log_file});
-  if (must_start_ranks(context)) {
-    run_on_ranks(ranks_of(context), words_for_ranks(context));
-  } else {
-    sample(job, states, context);
-    if (options.metal.started_by_ourselves || !md::MpiWorld().is_root())
-      return {.json = {}, .text = "", .complaint = "", .silent = true};
-  }
+  if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, states, context); }))
+    return told_elsewhere();
   return table(job, context);
+}
+
+void declare(CLI::App& app, Options& options) {
+  add_options(app, options.metal);
+  app.add_option("--rho", options.rho, "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)")
+      ->delimiter(',')
+      ->default_str("");
+  app.add_option("--T", options.T, "Temperatures [K] (default: 300, 700, 1200)")
+      ->delimiter(',')
+      ->default_str("");
 }
 
 } // namespace
@@ -99,18 +104,7 @@ Command md_metal_grid_command() {
           .summary = "Pressure and energy of a metal over densities and temperatures, with LAMMPS",
           .example =
               "mesobridge md metal-grid --potential Cu_mishin1.eam.alloy --rho 8700,9000,9500 --T 300,1200",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            add_options(app, options->metal);
-            app.add_option("--rho", options->rho,
-                           "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)")
-                ->delimiter(',')
-                ->default_str("");
-            app.add_option("--T", options->T, "Temperatures [K] (default: 300, 700, 1200)")
-                ->delimiter(',')
-                ->default_str("");
-            return [options](Context& context) { return metal_grid(*options, context); };
-          }};
+          .declare = with_options(declare, metal_grid)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,8 +1,9 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/sample_melt.hpp"
@@ -17,17 +18,18 @@ struct Options {
   md::StarMeltSettings settings;
   bool resume = false;
   bool started_by_ourselves = false;
+  CLI::App const* app = nullptr; ///< knows what the command line says
 };
 
 /// The preset's first melt, where the command line says nothing else.
-void fill_in(Options& options, CLI::App const& app) {
+void fill_in(Options& options) {
   if (options.preset.empty())
     return;
   auto const plan = chapter_plan(preset_of(options.preset), 1);
   auto const& [star, melts] = plan.molecules.front();
   auto const usual = melt_settings(plan, star, melts.front());
   auto const fill = [&](char const* option, auto& value, auto const& of_preset) {
-    if (app.count(option) == 0)
+    if (options.app->count(option) == 0)
       value = of_preset;
   };
   auto& s = options.settings;
@@ -40,7 +42,8 @@ void fill_in(Options& options, CLI::App const& app) {
   fill("--sample-every", s.sample_every, usual.sample_every);
 }
 
-Result star_melt(Options const& options, Context const& context) {
+Result star_melt(Options options, Context const& context) {
+  fill_in(options);
   MeltJob job{.settings = options.settings, .resume = options.resume};
   job.settings.star = md::star_of_name(options.star);
   job.settings.seed = context.options.seed.value_or(job.settings.seed);
@@ -52,45 +55,40 @@ Result star_melt(Options const& options, Context const& context) {
                           job.settings.restart_file(), job.settings.log_file()});
   sample_melt_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
-    return {.json = {}, .text = "", .complaint = "", .silent = true};
+    return told_elsewhere();
   Result result;
   result.json = read_json(job.summary());
   result.text = melt_text(result.json);
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  options.app = &app;
+  auto& s = options.settings;
+  app.add_option("--preset", options.preset, "The 6-3 melt of chapter 3: quick (minutes), standard or paper")
+      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  app.add_option("--star", options.star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
+  app.add_option("--molecules", s.molecules, "Number of stars (default 1000)");
+  app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
+  app.add_option("--T", s.T, "Temperature of the thermostat (default 1)");
+  app.add_option("--friction", s.friction, "Friction of the thermostat (default 1)");
+  app.add_option("--dt", s.dt, "Time step (default 0.001)");
+  app.add_option("--squeeze-steps", s.squeeze_steps, "Steps of each growth of the density");
+  app.add_option("--equilibration-steps", s.equilibration_steps, "Steps at the final density");
+  app.add_option("--sampling-steps", s.sampling_steps, "Steps at constant energy");
+  app.add_option("--sample-every", s.sample_every, "Steps between frames (default 100)");
+  app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
+  app.add_flag("--resume", options.resume, "Go on from the checkpoint in the output folder");
+  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+}
+
 } // namespace
 
 Command md_star_melt_command() {
-  return {
-      .name = "md star-melt",
-      .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
-      .example = "mesobridge md star-melt --preset quick -o out/melt",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        auto& s = options->settings;
-        app.add_option("--preset", options->preset,
-                       "The 6-3 melt of chapter 3: quick (minutes), standard or paper")
-            ->check(CLI::IsMember({"quick", "standard", "paper"}));
-        app.add_option("--star", options->star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
-        app.add_option("--molecules", s.molecules, "Number of stars (default 1000)");
-        app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
-        app.add_option("--T", s.T, "Temperature of the thermostat (default 1)");
-        app.add_option("--friction", s.friction, "Friction of the thermostat (default 1)");
-        app.add_option("--dt", s.dt, "Time step (default 0.001)");
-        app.add_option("--squeeze-steps", s.squeeze_steps, "Steps of each growth of the density");
-        app.add_option("--equilibration-steps", s.equilibration_steps, "Steps at the final density");
-        app.add_option("--sampling-steps", s.sampling_steps, "Steps at constant energy");
-        app.add_option("--sample-every", s.sample_every, "Steps between frames (default 100)");
-        app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
-        app.add_flag("--resume", options->resume, "Go on from the checkpoint in the output folder");
-        app.add_flag("--started-by-ourselves", options->started_by_ourselves)
-            ->group(""); // for run_on_ranks only
-        return [options, &app](Context& context) {
-          fill_in(*options, app);
-          return star_melt(*options, context);
-        };
-      }};
+  return {.name = "md star-melt",
+          .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
+          .example = "mesobridge md star-melt --preset quick -o out/melt",
+          .declare = with_options(declare, star_melt)};
 }
 
 } // namespace mesobridge::workflows

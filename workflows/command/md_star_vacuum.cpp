@@ -1,7 +1,8 @@
 #include "md/error.hpp"
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/star/sample_vacuum.hpp"
 #include <CLI/CLI.hpp>
 
@@ -48,39 +49,37 @@ Result star_vacuum(Options const& options, Context const& context) {
                          {job.blobs(), job.summary(), s.restart_file(), s.log_file()});
   sample_vacuum_on_ranks(job, context);
   if (options.started_by_ourselves || !md::MpiWorld().is_root())
-    return {.json = {}, .text = "", .complaint = "", .silent = true};
+    return told_elsewhere();
   Result result;
   result.json = read_json(job.summary());
   result.text = text_of(result.json);
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  auto& s = options.settings;
+  app.add_option("--star", options.star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
+  auto* const T = app.add_option("--T", options.temperatures,
+                                 "Temperatures, shared by the molecules in turn (0.85 1 1.18)");
+  app.add_option("--U", options.energies, "Instead: energies, kept without a thermostat")->excludes(T);
+  app.add_option("--molecules", s.molecules, "Number of stars (default 600)");
+  app.add_option("--dt", s.dt, "Time step (default 0.001)");
+  app.add_option("--redraw-every", s.redraw_every, "Steps between draws of the velocities");
+  app.add_option("--equilibration-steps", s.equilibration_steps, "Steps before sampling");
+  app.add_option("--sampling-steps", s.sampling_steps, "Sampled steps");
+  app.add_option("--sample-every", s.sample_every, "Steps between frames (default 250)");
+  app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
+  app.add_flag("--resume", options.resume, "Go on from the checkpoint in the output folder");
+  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+}
+
 } // namespace
 
 Command md_star_vacuum_command() {
-  return {
-      .name = "md star-vacuum",
-      .summary = "Isolated star polymers with LAMMPS, at set temperatures or energies",
-      .example = "mesobridge md star-vacuum --star 6-3 --T 0.85 1 1.18 -o out/vacuum",
-      .declare = [](CLI::App& app) -> Command::Action {
-        auto options = std::make_shared<Options>();
-        auto& s = options->settings;
-        app.add_option("--star", options->star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
-        auto* const T = app.add_option("--T", options->temperatures,
-                                       "Temperatures, shared by the molecules in turn (0.85 1 1.18)");
-        app.add_option("--U", options->energies, "Instead: energies, kept without a thermostat")->excludes(T);
-        app.add_option("--molecules", s.molecules, "Number of stars (default 600)");
-        app.add_option("--dt", s.dt, "Time step (default 0.001)");
-        app.add_option("--redraw-every", s.redraw_every, "Steps between draws of the velocities");
-        app.add_option("--equilibration-steps", s.equilibration_steps, "Steps before sampling");
-        app.add_option("--sampling-steps", s.sampling_steps, "Sampled steps");
-        app.add_option("--sample-every", s.sample_every, "Steps between frames (default 250)");
-        app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
-        app.add_flag("--resume", options->resume, "Go on from the checkpoint in the output folder");
-        app.add_flag("--started-by-ourselves", options->started_by_ourselves)
-            ->group(""); // for run_on_ranks only
-        return [options](Context& context) { return star_vacuum(*options, context); };
-      }};
+  return {.name = "md star-vacuum",
+          .summary = "Isolated star polymers with LAMMPS, at set temperatures or energies",
+          .example = "mesobridge md star-vacuum --star 6-3 --T 0.85 1 1.18 -o out/vacuum",
+          .declare = with_options(declare, star_vacuum)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,4 @@
-#include "workflows/command/studies.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/reproduce/list.hpp"
@@ -62,19 +62,19 @@ Result reproduce(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("name", options.name, "list, or a name of that list")->required();
+  app.add_option("--preset", options.preset, "how long to work: a minute or two, an hour, a day")
+      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+}
+
 } // namespace
 
 Command reproduce_command() {
   return {.name = "reproduce",
           .summary = "A figure or table of the thesis, ours beside the printed one",
           .example = "mesobridge reproduce table-4.1 --preset quick -o out/table-4.1",
-          .declare = [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("name", options->name, "list, or a name of that list")->required();
-            app.add_option("--preset", options->preset, "how long to work: a minute or two, an hour, a day")
-                ->check(CLI::IsMember({"quick", "standard", "paper"}));
-            return [options](Context& context) { return reproduce(*options, context); };
-          }};
+          .declare = with_options(declare, reproduce)};
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
@@ -144,38 +144,37 @@ Result run(Options const& options, Context& context) {
   }
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("scene", options.scene, "The scene file")->required()->type_name("SCENE.toml");
+  app.add_option("--set", options.set, "Override a key of the scene: section.key=value; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  auto* resume = app.add_flag(
+      "--resume", options.resume,
+      "Go on from the checkpoint in the output directory, or begin if nothing is there yet; with "
+      "--set run.steps=... also of a finished run, which is extended. May change run.steps, title, "
+      "and the schedules of trajectories, profiles, histograms and checkpoints");
+  app.add_flag("--force", options.force,
+               "Begin anew where results are: they are moved into backup-1, backup-2 ... there")
+      ->excludes(resume);
+  app.add_option("--max-hours", options.max_hours,
+                 "Stop with a checkpoint and exit code 130 before so much time has passed, as batch "
+                 "queues want; go on with --resume")
+      ->type_name("HOURS")
+      ->check(CLI::Range(1e-6, 1e6).description(""));
+  app.add_flag("--no-report", options.no_report, "Write no report.html");
+  app.add_flag("--verbose", options.verbose,
+               "Show the lines of thermodynamics that log.txt gets, also on a terminal");
+}
+
 } // namespace
 
 Command run_command() {
-  return {
-      .name = "run",
-      .summary = "Run an SDPD scene",
-      .example = "mesobridge run workflows/scenes/argon-1000K.toml -o out/argon --set particles.K=50",
-      .declare = [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        app.add_option("scene", options->scene, "The scene file")->required()->type_name("SCENE.toml");
-        app.add_option("--set", options->set, "Override a key of the scene: section.key=value; repeatable")
-            ->type_name("KEY=VALUE")
-            ->expected(1)
-            ->take_all();
-        auto* resume = app.add_flag(
-            "--resume", options->resume,
-            "Go on from the checkpoint in the output directory, or begin if nothing is there yet; with "
-            "--set run.steps=... also of a finished run, which is extended. May change run.steps, title, "
-            "and the schedules of trajectories, profiles, histograms and checkpoints");
-        app.add_flag("--force", options->force,
-                     "Begin anew where results are: they are moved into backup-1, backup-2 ... there")
-            ->excludes(resume);
-        app.add_option("--max-hours", options->max_hours,
-                       "Stop with a checkpoint and exit code 130 before so much time has passed, as batch "
-                       "queues want; go on with --resume")
-            ->type_name("HOURS")
-            ->check(CLI::Range(1e-6, 1e6).description(""));
-        app.add_flag("--no-report", options->no_report, "Write no report.html");
-        app.add_flag("--verbose", options->verbose,
-                     "Show the lines of thermodynamics that log.txt gets, also on a terminal");
-        return [options](Context& context) { return run(*options, context); };
-      }};
+  return {.name = "run",
+          .summary = "Run an SDPD scene",
+          .example = "mesobridge run workflows/scenes/argon-1000K.toml -o out/argon --set particles.K=50",
+          .declare = with_options(declare, run)};
 }
 
 } // namespace mesobridge::workflows

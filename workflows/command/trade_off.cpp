@@ -1,5 +1,5 @@
 #include "sdpd/scheme/list.hpp"
-#include "workflows/command/studies.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -110,39 +110,37 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  auto& plan = options.plan;
+  app.add_option("scene", options.scene, "The scene file")->required()->type_name("SCENE.toml");
+  app.add_option("--set", options.set, "Override a key of the scene: section.key=value; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
+      ->delimiter(',');
+  app.add_option("--splittings", plan.splittings, "lie-trotter, strang")->delimiter(',');
+  app.add_option("--integrators", plan.integrators, "of the conservative forces")->delimiter(',');
+  app.add_option("--dt", plan.dt,
+                 "time steps, reduced (default: five from 0.05 to 0.3; of soft particles from 0.01 to 0.06)")
+      ->delimiter(',');
+  app.add_option("--K", plan.K, "sizes of particles (default: the scene's)")->delimiter(',');
+  app.add_option("--time", plan.time, "reduced time that each run samples")->check(CLI::Range(20., 1e7));
+  app.add_option("--particles", plan.particles, "of a run, at least")->check(CLI::Range(125, 1000000));
+  app.add_option("--drift", options.drift, "Wanted energy drift, such as 1e-6/ps")->type_name("RATE");
+  app.add_option("--bias", options.bias, "Wanted bias of T_kin, T_int and P, such as 0.5%")
+      ->type_name("SHARE");
+  app.add_flag("--no-limit", options.no_limit, "do not search for the largest stable time steps");
+}
+
 } // namespace
 
 Command trade_off_command() {
-  return {
-      .name = "trade-off",
-      .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
-      .example = "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
-      .declare = [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        auto& plan = options->plan;
-        app.add_option("scene", options->scene, "The scene file")->required()->type_name("SCENE.toml");
-        app.add_option("--set", options->set, "Override a key of the scene: section.key=value; repeatable")
-            ->type_name("KEY=VALUE")
-            ->expected(1)
-            ->take_all();
-        app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
-            ->delimiter(',');
-        app.add_option("--splittings", plan.splittings, "lie-trotter, strang")->delimiter(',');
-        app.add_option("--integrators", plan.integrators, "of the conservative forces")->delimiter(',');
-        app.add_option(
-               "--dt", plan.dt,
-               "time steps, reduced (default: five from 0.05 to 0.3; of soft particles from 0.01 to 0.06)")
-            ->delimiter(',');
-        app.add_option("--K", plan.K, "sizes of particles (default: the scene's)")->delimiter(',');
-        app.add_option("--time", plan.time, "reduced time that each run samples")
-            ->check(CLI::Range(20., 1e7));
-        app.add_option("--particles", plan.particles, "of a run, at least")->check(CLI::Range(125, 1000000));
-        app.add_option("--drift", options->drift, "Wanted energy drift, such as 1e-6/ps")->type_name("RATE");
-        app.add_option("--bias", options->bias, "Wanted bias of T_kin, T_int and P, such as 0.5%")
-            ->type_name("SHARE");
-        app.add_flag("--no-limit", options->no_limit, "do not search for the largest stable time steps");
-        return [options](Context& context) { return run(*options, context); };
-      }};
+  return {.name = "trade-off",
+          .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
+          .example =
+              "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
+          .declare = with_options(declare, run)};
 }
 
 } // namespace mesobridge::workflows

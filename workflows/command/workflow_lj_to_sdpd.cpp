@@ -1,4 +1,4 @@
-#include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj_to_sdpd/chain.hpp"
@@ -9,10 +9,14 @@
 namespace mesobridge::workflows {
 namespace {
 
-Result lj_to_sdpd(std::string const& preset, Context const& context) {
+struct Options {
+  std::string preset = "quick";
+};
+
+Result lj_to_sdpd(Options const& options, Context const& context) {
   auto const directory = context.output_directory("out/lj-to-sdpd");
   FolderLock const lock(directory, context.command_line());
-  auto const results = run_chain(preset_of(preset), preset, directory, context);
+  auto const results = run_chain(preset_of(options.preset), options.preset, directory, context);
   Provenance const provenance{context.command_line(),
                               context.options.seed.value_or(1),
                               "",
@@ -26,19 +30,19 @@ Result lj_to_sdpd(std::string const& preset, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--preset", options.preset, "quick (minutes), standard (an hour or two) or paper")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+}
+
 } // namespace
 
 Command workflow_lj_to_sdpd_command() {
   return {.name = "workflow lj-to-sdpd",
           .summary = "Lennard-Jones MD, equation of state and SDPD in one chain, with a report",
           .example = "mesobridge workflow lj-to-sdpd --preset quick -o out/lj-to-sdpd",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto preset = std::make_shared<std::string>("quick");
-            app.add_option("--preset", *preset, "quick (minutes), standard (an hour or two) or paper")
-                ->capture_default_str()
-                ->check(CLI::IsMember({"quick", "standard", "paper"}));
-            return [preset](Context& context) { return lj_to_sdpd(*preset, context); };
-          }};
+          .declare = with_options(declare, lj_to_sdpd)};
 }
 
 } // namespace mesobridge::workflows

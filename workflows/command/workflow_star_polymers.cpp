@@ -1,4 +1,4 @@
-#include "workflows/command/star_commands.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/star/chapter.hpp"
@@ -63,28 +63,28 @@ Result star_polymers(Options const& options, Context const& context) {
   return result;
 }
 
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--preset", options.preset,
+                 "quick (minutes), standard (hours; goes on when run again) or paper")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  app.add_option("--star", options.stars, "ARMS-BEADS of other molecules than the preset's")
+      ->type_name("N-N");
+  app.add_option("--rho", options.densities, "Beads per sigma^3 of other melts than the preset's");
+  app.add_option("--molecules", options.molecules, "Stars in each melt");
+  app.add_option("--sampling-steps", options.sampling_steps, "Steps of each melt at constant energy");
+  app.add_option("--vacuum-molecules", options.vacuum_molecules, "Isolated stars");
+  app.add_option("--vacuum-sampling-steps", options.vacuum_sampling_steps,
+                 "Steps of the isolated stars at set temperatures");
+}
+
 } // namespace
 
 Command workflow_star_polymers_command() {
   return {.name = "workflow star-polymers",
           .summary = "Chapter 3 of the thesis: melts and isolated stars, key approximation, entropy, report",
           .example = "mesobridge workflow star-polymers --star 4-5 --rho 0.2 0.4 -o out/star-polymers",
-          .declare = [](CLI::App& app) -> Command::Action {
-            auto options = std::make_shared<Options>();
-            app.add_option("--preset", options->preset,
-                           "quick (minutes), standard (hours; goes on when run again) or paper")
-                ->capture_default_str()
-                ->check(CLI::IsMember({"quick", "standard", "paper"}));
-            app.add_option("--star", options->stars, "ARMS-BEADS of other molecules than the preset's")
-                ->type_name("N-N");
-            app.add_option("--rho", options->densities, "Beads per sigma^3 of other melts than the preset's");
-            app.add_option("--molecules", options->molecules, "Stars in each melt");
-            app.add_option("--sampling-steps", options->sampling_steps, "Steps of each melt at constant energy");
-            app.add_option("--vacuum-molecules", options->vacuum_molecules, "Isolated stars");
-            app.add_option("--vacuum-sampling-steps", options->vacuum_sampling_steps,
-                           "Steps of the isolated stars at set temperatures");
-            return [options](Context& context) { return star_polymers(*options, context); };
-          }};
+          .declare = with_options(declare, star_polymers)};
 }
 
 } // namespace mesobridge::workflows

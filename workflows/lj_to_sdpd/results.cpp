@@ -1,33 +1,24 @@
 #include "workflows/lj_to_sdpd/results.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
+#include "fitting/power_law.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_fit.h>
 
 namespace mesobridge::workflows {
 namespace {
 
-void fit_power_law(DriftLaw& law) {
-  std::vector<double> x, y, weight;
-  for (std::size_t k = 0; k < law.dt.size(); ++k)
-    if (law.rate[k] > 2 * law.se[k]) {
-      x.push_back(std::log(law.dt[k])), y.push_back(std::log(law.rate[k]));
-      // Beyond its own error a rate need not lie on the law to better than some percent.
-      double const relative = std::hypot(law.se[k] / law.rate[k], 0.05);
-      weight.push_back(1 / (relative * relative));
-    }
-  law.used = x.size();
-  if (law.used < 3)
+void fit(DriftLaw& law) {
+  std::vector<cg::Estimate> rates;
+  for (std::size_t k = 0; k < law.dt.size(); ++k) {
+    rates.push_back({law.rate[k], law.se[k], 1});
+    law.used += law.rate[k] > 2 * law.se[k];
+  }
+  auto const found = fitting::fit_power_law(law.dt, rates);
+  if (!found.known())
     return;
-  double offset, slope, var_offset, cov, var_slope, chi_2;
-  gsl_fit_wlinear(x.data(), 1, weight.data(), 1, y.data(), 1, x.size(), &offset, &slope, &var_offset, &cov,
-                  &var_slope, &chi_2);
-  // Errors are widened when the points scatter more than theirs allow.
-  double const widen = std::sqrt(std::max(1.0, chi_2 / double(law.used - 2)));
-  law.exponent = {slope, widen * std::sqrt(var_slope), double(law.used)};
-  double const C = std::exp(offset);
-  law.prefactor = {C, C * widen * std::sqrt(var_offset), double(law.used)};
+  double const C = std::exp(found.log_prefactor.mean);
+  law.exponent = found.exponent, law.prefactor = {C, C * found.log_prefactor.se, found.log_prefactor.n_eff};
 }
 
 } // namespace
@@ -44,7 +35,7 @@ std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs) {
     found->se.push_back(run.equilibrium.drift.se);
   }
   for (auto& law : laws)
-    fit_power_law(law);
+    fit(law);
   return laws;
 }
 

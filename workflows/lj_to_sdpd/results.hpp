@@ -19,7 +19,7 @@ struct ChainResults {
 struct DriftLaw {
   double K;
   std::vector<double> dt, rate, se; ///< all runs of that size
-  std::size_t used;                 ///< rates that are resolved: > 2 standard errors
+  std::size_t used = 0;             ///< rates that are resolved: > 2 standard errors
   cg::Estimate exponent, prefactor; ///< without errors when fewer than 3 rates are resolved
 };
 

@@ -46,11 +46,4 @@ md::MetalSettings settings_of(MetalOptions const& options, Context const& contex
   return settings;
 }
 
-std::vector<std::string> words_for_ranks(Context const& context) {
-  auto words = context.arguments;
-  std::erase(words, "--json");
-  words.emplace_back("--started-by-ourselves");
-  return words;
-}
-
 } // namespace mesobridge::workflows

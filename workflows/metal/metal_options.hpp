@@ -19,7 +19,4 @@ void add_options(CLI::App& app, MetalOptions& options);
 /// What a run is made with; the log file is left to the caller. Throws InputError.
 md::MetalSettings settings_of(MetalOptions const& options, Context const& context);
 
-/// The words with which the program starts itself on several ranks.
-std::vector<std::string> words_for_ranks(Context const& context);
-
 } // namespace mesobridge::workflows

@@ -1,3 +1,5 @@
+#include "cg/distribution_error.hpp"
+#include "sdpd/observe/gamma_law.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/reproduce/ideal_gas_study.hpp"
 #include "workflows/reproduce/published.hpp"
@@ -16,7 +18,7 @@ std::vector<LineResult> run_in_place(std::string const& title, ReproduceOptions 
   for (std::string const scheme : {"ems", "ams"}) {
     Scene scene = thesis_ideal_gas(K, scheme, options.seed);
     scene.scheme.conservative = "none";
-    EnergyBins const as_in_the_thesis{.lower = 0.1, .upper = 20, .count = 150};
+    cg::Bins const as_in_the_thesis{.lower = 0.1, .upper = 20, .count = 150};
     plan.push_back({scheme, scene, {0.5, 1, 2, 3, 5}, 1000, as_in_the_thesis});
   }
   return run_lines(title, plan, options, context);
@@ -41,7 +43,7 @@ Plot distribution_plot(std::vector<LineResult> const& lines, std::size_t which) 
                                        .style = SeriesStyle::steps});
   plot.panels[0].series.push_back({.label = "exact",
                                    .x = x,
-                                   .y = gamma_law(K, bins),
+                                   .y = sdpd::gamma_law(K, bins),
                                    .y_error = {},
                                    .style = SeriesStyle::lines,
                                    .colour = 6});
@@ -72,9 +74,10 @@ Reproduced reproduce_figure_4_5(ReproduceOptions const& options, Context const& 
       auto const& trial = line.trials[k];
       if (trial.failed())
         continue;
-      auto const law = gamma_law(K, trial.bins);
+      auto const law = sdpd::gamma_law(K, trial.bins);
       double const shape = 1.5 * (K - 1);
-      cg::Estimate const error{distribution_error(trial.histogram(), law), distribution_noise(trial, law), 2};
+      cg::Estimate const error{cg::distribution_error(trial.histogram(), law),
+                               cg::distribution_noise(trial.first_half, trial.second_half, law), 2};
       cg::Estimate const width{trial.eps_variance.mean / shape, trial.eps_variance.se / shape,
                                trial.eps_variance.n_eff};
       x.push_back(line.dt[k]), y.push_back({error.mean, 0, 2});
@@ -120,7 +123,7 @@ Reproduced reproduce_figure_4_6(ReproduceOptions const& options, Context const& 
               .caption = "Shares of all steps of pairs."};
   Json rows = Json::array();
   int colour = 0;
-  auto add = [&](std::string label, LineResult const& line, double TrialResult::*which) {
+  auto add = [&](std::string label, LineResult const& line, double sdpd::TrialResult::*which) {
     std::vector<double> x;
     std::vector<cg::Estimate> y;
     for (std::size_t k = 0; k < line.dt.size(); ++k)
@@ -130,9 +133,9 @@ Reproduced reproduce_figure_4_6(ReproduceOptions const& options, Context const& 
     if (!points.x.empty())
       plot.panels[0].series.push_back(std::move(points));
   };
-  add("EMS, Metropolis", lines[0], &TrialResult::rejected_metropolis);
-  add("EMS, negative energy", lines[0], &TrialResult::rejected_out_of_domain);
-  add("AMS, negative energy", lines[1], &TrialResult::rejected_out_of_domain);
+  add("EMS, Metropolis", lines[0], &sdpd::TrialResult::rejected_metropolis);
+  add("EMS, negative energy", lines[0], &sdpd::TrialResult::rejected_out_of_domain);
+  add("AMS, negative energy", lines[1], &sdpd::TrialResult::rejected_out_of_domain);
   for (auto const& line : lines)
     for (std::size_t k = 0; k < line.dt.size(); ++k) {
       auto const& trial = line.trials[k];

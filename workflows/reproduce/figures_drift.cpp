@@ -107,7 +107,7 @@ Reproduced reproduce_figure_4_3(ReproduceOptions const& options, Context const& 
               .caption = printed.source};
   Json laws = Json::array();
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    auto const& row = printed.rows.at(k);
+    auto const& row = printed.table.rows.at(k).cells;
     double const exponent = printed.value(row[0], "exponent"), prefactor = printed.value(row[0], "prefactor");
     plot.panels[0].series.push_back(law_curve("", prefactor, exponent, lines[k].dt.front(),
                                               lines[k].dt.back(), SeriesStyle::dashes, colour++));

@@ -42,13 +42,13 @@ std::pair<std::vector<double>, std::vector<cg::Estimate>> LineResult::drifts() c
   return result;
 }
 
-PowerLaw LineResult::drift_law() const {
+fitting::PowerLaw LineResult::drift_law() const {
   std::vector<double> x;
   std::vector<cg::Estimate> y;
   for (std::size_t k = 0; k < dt.size(); ++k)
     if (!trials[k].failed() && trials[k].knows_drift())
       x.push_back(dt[k]), y.push_back(rate(trials[k].drift()));
-  return fit_power_law(x, y);
+  return fitting::fit_power_law(x, y);
 }
 
 Effort effort_of(md::Preset preset) {

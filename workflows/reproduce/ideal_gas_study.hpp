@@ -1,7 +1,7 @@
 #pragma once
+#include "fitting/power_law.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/reproduce/list.hpp"
-#include "workflows/study/power_law.hpp"
 #include "workflows/study/study.hpp"
 
 namespace mesobridge::workflows {
@@ -15,13 +15,13 @@ struct StudyLine {
   Scene scene;
   std::vector<double> dt; ///< reduced
   double time;            ///< reduced, sampled
-  std::optional<EnergyBins> bins = {};
+  std::optional<cg::Bins> bins = {};
 };
 
 struct LineResult {
   std::string label;
   std::vector<double> dt;
-  std::vector<TrialResult> trials;
+  std::vector<sdpd::TrialResult> trials;
 
   /// The time steps of the trials that went through, and a value of each.
   template <class F>
@@ -34,7 +34,7 @@ struct LineResult {
   }
   /// The time steps and rates of the trials that know their drift, as some do that failed late.
   std::pair<std::vector<double>, std::vector<cg::Estimate>> drifts() const;
-  PowerLaw drift_law() const; ///< of those that went through
+  fitting::PowerLaw drift_law() const; ///< of those that went through
 };
 
 /// Runs all lines; trials are stored under the directory, so that an interrupted reproduction goes on.

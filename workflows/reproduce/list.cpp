@@ -2,6 +2,12 @@
 
 namespace mesobridge::workflows {
 
+// Each is made in a file of this folder; it is declared here and nowhere else.
+using Reproduce = Reproduced(ReproduceOptions const&, Context const&);
+Reproduce reproduce_chapter_3, reproduce_figure_4_2, reproduce_figure_4_3, reproduce_figure_4_4,
+    reproduce_figure_4_5, reproduce_figure_4_6, reproduce_figure_4_7, reproduce_figure_4_8,
+    reproduce_figure_4_9, reproduce_table_4_1, reproduce_stability, reproduce_table_5_1;
+
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
   static std::vector<Reproduction> const list{

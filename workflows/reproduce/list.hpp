@@ -27,20 +27,7 @@ struct Reproduction {
 };
 
 /// Every figure and table that the program reproduces, in the order of the thesis. A new one is its own file
-/// in this folder, one declaration here and one line in list.cpp.
+/// in this folder, and its name in list.cpp.
 std::vector<Reproduction> const& reproductions();
-
-Reproduced reproduce_chapter_3(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_2(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_3(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_4(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_5(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_6(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_7(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_8(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_figure_4_9(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_table_4_1(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_stability(ReproduceOptions const& options, Context const& context);
-Reproduced reproduce_table_5_1(ReproduceOptions const& options, Context const& context);
 
 } // namespace mesobridge::workflows

@@ -1,15 +1,12 @@
 #pragma once
-#include <string>
-#include <string_view>
-#include <vector>
+#include "workflows/csv_table.hpp"
 
 namespace mesobridge::workflows {
 
 /// Printed values: one of the files of workflows/data, built into the program.
 struct PublishedTable {
   std::string source; ///< its comment lines: what it is and where it stands
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  CsvTable table;
 
   /// The number in that column of the row whose first cell is `row`. Throws std::logic_error.
   double value(std::string_view row, std::string_view column) const;

@@ -89,7 +89,7 @@ void add_states(std::vector<StabilityCase>& cases) {
   }
 }
 
-std::string outcome(TrialResult const& result) {
+std::string outcome(sdpd::TrialResult const& result) {
   return result.failed() ? "fails" : "runs";
 }
 
@@ -102,14 +102,14 @@ std::vector<StabilityCase> stability_cases() {
   return cases;
 }
 
-std::vector<TrialResult> run_stability(std::vector<StabilityCase> const& cases, double time,
-                                       StudyOptions const& options) {
+std::vector<sdpd::TrialResult> run_stability(std::vector<StabilityCase> const& cases, double time,
+                                             StudyOptions const& options) {
   std::vector<PlannedTrial> plan;
   for (auto const& one : cases) {
     Scene scene = small_sample(one.scene, 216);
     set_times(scene, one.scene.scheme.dt.value, 0, time);
     plan.push_back({fmt::format("case{}-{}", plan.size(), one.scene.fluid.eos), scene,
-                    EnergyBins{.lower = 0, .upper = 1e4, .count = 1}});
+                    cg::Bins{.lower = 0, .upper = 1e4, .count = 1}});
   }
   return run_study(plan, options);
 }

@@ -15,7 +15,7 @@ struct StabilityCase {
 std::vector<StabilityCase> stability_cases();
 
 /// Runs them over a reduced time; a run that cannot go on is a result.
-std::vector<TrialResult> run_stability(std::vector<StabilityCase> const& cases, double time,
-                                       StudyOptions const& options);
+std::vector<sdpd::TrialResult> run_stability(std::vector<StabilityCase> const& cases, double time,
+                                             StudyOptions const& options);
 
 } // namespace mesobridge::workflows

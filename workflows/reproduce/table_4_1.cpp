@@ -1,10 +1,10 @@
+#include "md/processor_clock.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/reproduce/list.hpp"
 #include "workflows/reproduce/published.hpp"
-#include "workflows/study/processor_clock.hpp"
 #include "workflows/summary.hpp"
 
 namespace mesobridge::workflows {
@@ -49,7 +49,7 @@ std::optional<double> time_steps(Timed const& timed, sdpd::Checkpoint const& sta
   simulation.begin_from(start);
   try {
     simulation.advance(steps / 10); // caches and lists settle
-    ProcessorClock const clock;
+    md::ProcessorClock const clock;
     simulation.advance(steps);
     return clock.seconds() * 1e6 / static_cast<double>(steps * simulation.size());
   } catch (PhysicsError const&) {

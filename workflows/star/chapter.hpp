@@ -36,7 +36,7 @@ struct ChapterMelt {
   md::StarPolymer star;
   double rho = 0;
   cg::Correlations correlations;
-  EntropyRoutes entropy;
+  cg::EntropyRoutes entropy;
   Json run; ///< the summary of the MD
 };
 

@@ -10,7 +10,7 @@ constexpr double highest_density = 0.6; // of the axes
 constexpr double side_by_side = 0.006;  // shift of points that would hide each other
 
 /// A number of a curve, with its error, over the energies of the melt.
-Series entropy_series(EntropyRoutes const& routes, std::string const& route, std::string label,
+Series entropy_series(cg::EntropyRoutes const& routes, std::string const& route, std::string label,
                       SeriesStyle style, int colour,
                       std::function<double(cg::EntropyCurve const&, double)> const& number) {
   auto series = curve_of(std::move(label), style, colour);

@@ -1,124 +1,14 @@
 #include "workflows/star/h5md_trajectory.hpp"
 #include "md/error.hpp"
-#include "workflows/store/store.hpp"
+#include "workflows/star/h5md_element.hpp"
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <set>
 
 namespace mesobridge::workflows {
 
 namespace {
 
 using Shape = Store::Shape;
-
-std::string shape_text(Shape const& shape) {
-  return fmt::format("{}", fmt::join(shape, " x "));
-}
-
-/// One element of the H5MD format: a dataset (fixed in time), or a group with value, step and perhaps time.
-class Element {
- public:
-  Element(Store const& store, std::string path) : store_(store), path_(std::move(path)) {
-    fixed_ = !store.is_group(path_);
-    value_ = fixed_ ? path_ : path_ + "/value";
-    shape_ = store.shape(value_);
-    if (fixed_)
-      return;
-    if (shape_.empty())
-      refuse("is a single number: must have one row a frame");
-    if (shape_[0] > 0) // refuses more rows than the file can hold, before there is a step for each
-      store.read_row(value_, 0, {.bounds = {.finite = false}});
-    read_steps();
-    for (std::size_t row = 0; row < steps_.size(); ++row)
-      rows_.emplace(steps_[row], row); // of rows with the same step the first
-    read_times();
-  }
-
-  bool fixed() const { return fixed_; }
-  std::string const& path() const { return path_; }
-  std::string const& value() const { return value_; }
-  std::vector<std::int64_t> const& steps() const { return steps_; }
-  bool has(std::int64_t step) const { return fixed_ || rows_.contains(step); }
-  std::optional<double> time(std::size_t row) const {
-    return times_.empty() ? std::nullopt : std::optional(times_[row]);
-  }
-  /// The shape of one frame.
-  Shape frame_shape() const { return fixed_ ? shape_ : Shape(shape_.begin() + 1, shape_.end()); }
-
-  std::vector<double> numbers(std::int64_t step, Bounds const& bounds = {}) const {
-    return fixed_ ? store_.read_doubles(value_, {.bounds = bounds})
-                  : store_.read_row(value_, rows_.at(step), {.bounds = bounds});
-  }
-  std::vector<std::int64_t> integers(std::int64_t step, Bounds const& bounds) const {
-    return fixed_ ? store_.read_integers(value_, {.bounds = bounds})
-                  : store_.read_integer_row(value_, rows_.at(step), {.bounds = bounds});
-  }
-  std::optional<std::string> unit() const {
-    return store_.has_attribute(value_, "unit") ? std::optional(store_.read_text_attribute(value_, "unit"))
-                                                : std::nullopt;
-  }
-  std::optional<std::string> time_unit() const {
-    auto const place = path_ + "/time";
-    return !times_.empty() && store_.has_attribute(place, "unit")
-               ? std::optional(store_.read_text_attribute(place, "unit"))
-               : std::nullopt;
-  }
-  [[noreturn]] void refuse(std::string const& what) const {
-    throw InputError(fmt::format("'{}': the element {} {}", store_.file().string(), path_, what));
-  }
-
- private:
-  /// One a row; or, as the format allows, the number of steps between rows, and the first one as `offset`.
-  void read_steps() {
-    auto const place = path_ + "/step";
-    if (!store_.contains(place))
-      refuse("has no step");
-    if (store_.shape(place).empty()) {
-      auto const every = store_.read_integers(place, {.bounds = {.least = 1}}).at(0);
-      auto const first = store_.has_attribute(place, "offset")
-                             ? store_.read_integer_attribute(place, "offset", {.least = 0, .most = 1e15})
-                             : 0;
-      if (double(every) * double(shape_[0]) > 1e15)
-        refuse(fmt::format("has a row every {} steps: these are too many", every));
-      for (std::size_t row = 0; row < shape_[0]; ++row)
-        steps_.push_back(first + std::int64_t(row) * every);
-      return;
-    }
-    refuse_other_rows(place);
-    steps_ = store_.read_integers(place, {.rows = shape_[0], .row_shape = Shape{}, .bounds = {.least = 0}});
-  }
-
-  void read_times() {
-    auto const place = path_ + "/time";
-    if (!store_.contains(place))
-      return;
-    if (store_.shape(place).empty()) {
-      double const every = store_.read_doubles(place, {.bounds = {.above = 0}}).at(0);
-      double const first =
-          store_.has_attribute(place, "offset") ? store_.read_double_attribute(place, "offset") : 0;
-      for (std::size_t row = 0; row < shape_[0]; ++row)
-        times_.push_back(first + double(row) * every);
-      return;
-    }
-    refuse_other_rows(place);
-    times_ = store_.read_doubles(place, {.rows = shape_[0], .row_shape = Shape{}});
-  }
-
-  void refuse_other_rows(std::string const& place) const {
-    if (auto const rows = store_.shape(place); rows != Shape{shape_[0]})
-      refuse(fmt::format("has a value of {}, but {} is {}: must have one row for each", shape_text(shape_),
-                         place, shape_text(rows)));
-  }
-
-  Store const& store_;
-  std::string path_, value_;
-  bool fixed_ = false;
-  Shape shape_;
-  std::vector<std::int64_t> steps_;
-  std::map<std::int64_t, std::size_t> rows_;
-  std::vector<double> times_;
-};
 
 /// The particles' group that is meant.
 std::string group_of(Store const& store, std::string const& wanted) {
@@ -162,7 +52,7 @@ class H5mdTrajectory {
     std::size_t used = 0;
     for (std::size_t row = 0; row < position_.steps().size(); ++row) {
       auto const step = position_.steps()[row];
-      std::vector<Element const*> others{&velocity_, &edges_};
+      std::vector<H5mdElement const*> others{&velocity_, &edges_};
       if (id_)
         others.push_back(&*id_);
       bool whole = true;
@@ -183,19 +73,19 @@ class H5mdTrajectory {
   }
 
  private:
-  Element element(std::string const& name) const {
+  H5mdElement element(std::string const& name) const {
     auto const path = group_ + "/" + name;
     if (!store_.contains(path))
       throw InputError(
           fmt::format("'{}' has no {}: positions, velocities and the edges of the box are needed",
                       store_.file().string(), path));
-    return Element(store_, path);
+    return H5mdElement(store_, path);
   }
 
   void check_shapes() const {
     auto const shape = position_.frame_shape();
     if (shape.size() != 2 || shape[1] != 3)
-      position_.refuse(fmt::format("has a frame of {}: must be atoms x 3", shape_text(shape)));
+      position_.refuse(fmt::format("has a frame of {}: must be atoms x 3", extents_text(shape)));
     auto const atoms = shape[0], each = how_.atoms_per_molecule;
     if (position_.steps().empty())
       position_.refuse("has no frame");
@@ -206,13 +96,13 @@ class H5mdTrajectory {
                       store_.file().string(), atoms, each, atoms % each));
     if (auto const other = velocity_.frame_shape(); other != shape)
       velocity_.refuse(
-          fmt::format("has frames of {}, the positions of {}", shape_text(other), shape_text(shape)));
+          fmt::format("has frames of {}, the positions of {}", extents_text(other), extents_text(shape)));
     if (id_ && id_->frame_shape() != Shape{atoms})
       id_->refuse(fmt::format("has frames of {}: must be {}, one for each atom",
-                              shape_text(id_->frame_shape()), atoms));
+                              extents_text(id_->frame_shape()), atoms));
     if (auto const edges = edges_.frame_shape(); edges != Shape{3} && edges != Shape{3, 3})
       edges_.refuse(fmt::format("has frames of {}: must be 3 (the edges' lengths) or 3 x 3 (their vectors)",
-                                shape_text(edges)));
+                                extents_text(edges)));
   }
 
   void read_boundary() {
@@ -237,7 +127,7 @@ class H5mdTrajectory {
   }
 
   /// What the element's unit is worth in the mapping's; without one it is in the mapping's.
-  double factor(Element const& element, std::optional<std::string> const& unit, int lengths,
+  double factor(H5mdElement const& element, std::optional<std::string> const& unit, int lengths,
                 int times) const {
     if (!unit || unit->empty() || *unit == "1")
       return 1;
@@ -313,8 +203,8 @@ class H5mdTrajectory {
   Store const& store_;
   TrajectoryReading const& how_;
   std::string group_;
-  Element position_, velocity_, edges_;
-  std::optional<Element> id_;
+  H5mdElement position_, velocity_, edges_;
+  std::optional<H5mdElement> id_;
   std::array<bool, 3> periodic_{true, true, true};
   double length_ = 1, edge_ = 1, velocity_factor_ = 1, time_ = 1;
 };

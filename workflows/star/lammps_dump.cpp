@@ -1,121 +1,12 @@
 #include "workflows/star/lammps_dump.hpp"
-#include "md/error.hpp"
+#include "workflows/star/dump_columns.hpp"
 #include <algorithm>
-#include <charconv>
-#include <fstream>
-#include <map>
 #include <set>
 #include <span>
 
 namespace mesobridge::workflows {
 
 namespace {
-
-/// The file ends where a line should be.
-struct EndOfFile {};
-
-std::vector<std::string_view> words_of(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  std::vector<std::string_view> words;
-  for (auto begin = text.find_first_not_of(blanks); begin != text.npos;) {
-    auto const end = std::min(text.find_first_of(blanks, begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(blanks, end);
-  }
-  return words;
-}
-
-/// The lines of a file, numbered. A last line without an end is none: it was cut off.
-class Lines {
- public:
-  explicit Lines(std::filesystem::path const& file) : file_(file), in_(file) {
-    if (!in_)
-      throw InputError(fmt::format("'{}' cannot be read", file.string()));
-  }
-
-  std::string const& next() {
-    if (!std::getline(in_, text_) || in_.eof())
-      throw EndOfFile();
-    ++number_;
-    if (text_.ends_with('\r'))
-      text_.pop_back();
-    return text_;
-  }
-  std::int64_t number() const { return number_; }
-  [[noreturn]] void refuse(std::string const& what) const {
-    throw InputError(fmt::format("{}:{}: {}", file_.string(), number_, what));
-  }
-
-  template <class Number>
-  Number as(std::string_view word, std::string const& what) const {
-    Number value{};
-    auto const start = word.starts_with('+') ? word.substr(1) : word;
-    auto const [end, error] = std::from_chars(start.data(), start.data() + start.size(), value);
-    bool whole = error == std::errc() && end == start.data() + start.size();
-    if constexpr (std::is_floating_point_v<Number>)
-      whole = whole && std::isfinite(value);
-    if (!whole)
-      refuse(fmt::format("{} = '{}': must be a {}", what, word,
-                         std::is_floating_point_v<Number> ? "finite number" : "whole number"));
-    return value;
-  }
-
- private:
-  std::filesystem::path file_;
-  std::ifstream in_;
-  std::string text_;
-  std::int64_t number_ = 0;
-};
-
-/// Which column holds what.
-class Columns {
- public:
-  Columns(std::string_view names, Lines const& lines) {
-    for (auto const& word : words_of(names))
-      if (!places_.emplace(std::string(word), places_.size()).second)
-        lines.refuse(fmt::format("the column '{}' stands there twice", word));
-    count_ = places_.size();
-    id = need("id", lines);
-    molecule = find("mol"), type = find("type"), mass = find("mass");
-    for (char const* name : {"c_pe", "pe", "v_pe", "c_peatom", "c_pe_atom", "c_epot", "c_eng"})
-      if (!potential)
-        potential = find(name);
-    for (std::string const suffix : {"u", "", "su", "s"})
-      if (find("x" + suffix)) {
-        scaled = suffix.starts_with('s');
-        q = {need("x" + suffix, lines), need("y" + suffix, lines), need("z" + suffix, lines)};
-        break;
-      } else if (suffix == "s") {
-        lines.refuse("the dump has no positions: x y z, xu yu zu, xs ys zs or xsu ysu zsu");
-      }
-    for (char const* name : {"vx", "vy", "vz"})
-      if (!find(name))
-        lines.refuse(
-            fmt::format("the dump has no column {}: momenta and kinetic energies need vx vy vz", name));
-    v = {*find("vx"), *find("vy"), *find("vz")};
-  }
-
-  std::size_t count() const { return count_; }
-  std::size_t id = 0;
-  std::optional<std::size_t> molecule, type, mass, potential;
-  std::array<std::size_t, 3> q{}, v{};
-  bool scaled = false; ///< positions in parts of the box's edges
-
- private:
-  std::optional<std::size_t> find(std::string const& name) const {
-    auto const found = places_.find(name);
-    return found == places_.end() ? std::nullopt : std::optional(found->second);
-  }
-  std::size_t need(std::string const& name, Lines const& lines) const {
-    auto const found = find(name);
-    if (!found)
-      lines.refuse(fmt::format("the dump has no column {}", name));
-    return *found;
-  }
-
-  std::map<std::string, std::size_t> places_;
-  std::size_t count_ = 0;
-};
 
 struct Atom {
   std::int64_t id = 0, molecule = 0, type = 0;
@@ -178,7 +69,7 @@ class DumpReader {
       else if (item.starts_with("ATOMS")) {
         if (!has_step || !atoms || !low)
           lines_.refuse("ITEM: TIMESTEP, NUMBER OF ATOMS and BOX BOUNDS must stand before");
-        read_atoms(Columns(item.substr(5), lines_), *atoms, *low, frame);
+        read_atoms(DumpColumns(item.substr(5), lines_), *atoms, *low, frame);
         return;
       } else
         lines_.refuse(fmt::format("the item '{}' is not known: TIMESTEP, TIME, UNITS, NUMBER OF ATOMS, BOX "
@@ -251,7 +142,7 @@ class DumpReader {
     return {low[0], low[1], low[2]};
   }
 
-  void read_atoms(Columns const& columns, std::size_t count, Vec3 const& low, TrajectoryFrame& frame) {
+  void read_atoms(DumpColumns const& columns, std::size_t count, Vec3 const& low, TrajectoryFrame& frame) {
     std::vector<Atom> atoms;
     atoms.reserve(count);
     double potential = 0;
@@ -272,7 +163,7 @@ class DumpReader {
       frame.q.push_back(atom.q), frame.v.push_back(atom.v), frame.ids.push_back(atom.id);
   }
 
-  Atom atom_of(std::vector<std::string_view> const& words, Columns const& columns, Vec3 const& low,
+  Atom atom_of(std::vector<std::string_view> const& words, DumpColumns const& columns, Vec3 const& low,
                Box const& box) const {
     Atom atom;
     atom.id = lines_.as<std::int64_t>(words[columns.id], "id");
@@ -299,7 +190,7 @@ class DumpReader {
     return atom;
   }
 
-  void check_molecules(std::vector<Atom> const& atoms, Columns const& columns) const {
+  void check_molecules(std::vector<Atom> const& atoms, DumpColumns const& columns) const {
     auto const n = how_.atoms_per_molecule;
     std::set<std::int64_t> ids;
     for (std::size_t k = 0; k < atoms.size(); ++k) {
@@ -324,7 +215,7 @@ class DumpReader {
 
   std::filesystem::path file_;
   TrajectoryReading const& how_;
-  Lines lines_;
+  DumpLines lines_;
   std::uintmax_t file_size_;
   bool warned_ = false;
 };

@@ -1,10 +1,9 @@
 #include "workflows/star/sample_melt.hpp"
 #include "workflows/h5md.hpp"
 #include "workflows/interrupt.hpp"
-#include "workflows/ranks.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/melt_summary.hpp"
-#include "workflows/summary.hpp"
+#include "workflows/star/star_sampling.hpp"
 #include <optional>
 
 namespace mesobridge::workflows {
@@ -107,40 +106,18 @@ bool run(md::MpiWorld const& world, MeltJob const& job, Context const& context) 
 } // namespace
 
 void sample_melt(MeltJob const& job, Context const& context) {
-  guard_ranks([&] {
-    md::MpiWorld const world;
-    bool const complete = run(world, job, context);
-    if (!world.is_root())
-      return;
-    if (!complete)
-      throw Interrupted(
-          fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
-    write_summary(job.summary(), melt_summary(job, read_blobs(job.blobs())));
-  });
+  sample_stars(job, context, run,
+               [](MeltJob const& done) { return melt_summary(done, read_blobs(done.blobs())); });
 }
 
 std::vector<std::string> words_of(MeltJob const& job) {
+  auto call = words_of_stars("star-melt", job);
   auto const& s = job.settings;
-  std::vector<std::string> words{"md", "star-melt", "--star", s.star.name(), "--started-by-ourselves"};
-  auto const add = [&](char const* option, auto value) {
-    words.emplace_back(option);
-    words.push_back(fmt::format("{}", value));
-  };
-  add("--molecules", s.molecules);
-  add("--rho", s.rho);
-  add("--T", s.T);
-  add("--friction", s.friction);
-  add("--dt", s.dt);
-  add("--squeeze-steps", s.squeeze_steps);
-  add("--equilibration-steps", s.equilibration_steps);
-  add("--sampling-steps", s.sampling_steps);
-  add("--sample-every", s.sample_every);
-  add("--checkpoint-every", s.checkpoint_every);
-  add("--seed", s.seed);
-  add("-o", s.directory.string());
-  if (job.resume)
-    words.emplace_back("--resume");
-  return words;
+  call.add("--rho", s.rho);
+  call.add("--T", s.T);
+  call.add("--friction", s.friction);
+  call.add("--squeeze-steps", s.squeeze_steps);
+  return call.words;
 }
 
 void sample_melt_on_ranks(MeltJob const& job, Context const& context) {

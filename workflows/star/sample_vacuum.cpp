@@ -1,9 +1,8 @@
 #include "workflows/star/sample_vacuum.hpp"
 #include "cg/blobs.hpp"
 #include "workflows/interrupt.hpp"
-#include "workflows/ranks.hpp"
 #include "workflows/star/blob_file.hpp"
-#include "workflows/summary.hpp"
+#include "workflows/star/star_sampling.hpp"
 #include <cmath>
 #include <optional>
 
@@ -126,40 +125,17 @@ std::filesystem::path VacuumJob::summary() const {
 }
 
 void sample_vacuum(VacuumJob const& job, Context const& context) {
-  guard_ranks([&] {
-    md::MpiWorld const world;
-    bool const complete = run(world, job, context);
-    if (!world.is_root())
-      return;
-    if (!complete)
-      throw Interrupted(
-          fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
-    write_summary(job.summary(), summary_of(job));
-  });
+  sample_stars(job, context, run, summary_of);
 }
 
 std::vector<std::string> words_of(VacuumJob const& job) {
+  auto call = words_of_stars("star-vacuum", job);
   auto const& s = job.settings;
-  std::vector<std::string> words{"md", "star-vacuum", "--star", s.star.name(), "--started-by-ourselves"};
-  words.emplace_back(s.ensemble == md::VacuumEnsemble::canonical ? "--T" : "--U");
+  call.add("--redraw-every", s.redraw_every);
+  call.words.emplace_back(s.ensemble == md::VacuumEnsemble::canonical ? "--T" : "--U");
   for (double level : s.levels)
-    words.push_back(fmt::format("{}", level));
-  auto const add = [&](char const* option, auto value) {
-    words.emplace_back(option);
-    words.push_back(fmt::format("{}", value));
-  };
-  add("--molecules", s.molecules);
-  add("--dt", s.dt);
-  add("--redraw-every", s.redraw_every);
-  add("--equilibration-steps", s.equilibration_steps);
-  add("--sampling-steps", s.sampling_steps);
-  add("--sample-every", s.sample_every);
-  add("--checkpoint-every", s.checkpoint_every);
-  add("--seed", s.seed);
-  add("-o", s.directory.string());
-  if (job.resume)
-    words.emplace_back("--resume");
-  return words;
+    call.words.push_back(fmt::format("{}", level));
+  return call.words;
 }
 
 void sample_vacuum_on_ranks(VacuumJob const& job, Context const& context) {

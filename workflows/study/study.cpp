@@ -1,4 +1,5 @@
 #include "workflows/study/study.hpp"
+#include "cg/distribution_error.hpp"
 #include "md/error.hpp"
 #include "workflows/job_pool.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -34,8 +35,8 @@ class Starts {
     auto& start = starts_.at(start_key(scene));
     std::lock_guard const lock(start.mutex);
     if (!start.checkpoint)
-      start.checkpoint =
-          equilibrated_start(scene, start_dt(scene, options_), options_.start_time, keep_going);
+      start.checkpoint = sdpd::equilibrated_start(settings_of(scene, 1), start_dt(scene, options_),
+                                                  options_.start_time, keep_going);
     return *start.checkpoint;
   }
 
@@ -49,13 +50,14 @@ class Starts {
 };
 
 /// A trial from its common start. That a start cannot be made is a result too.
-TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
-                          std::function<bool(std::uint64_t)> const& keep_going) {
+sdpd::TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
+                                std::function<bool(std::uint64_t)> const& keep_going) {
   auto const& [name, scene, bins] = planned;
   try {
     auto const& start = starts.of(scene, [&] { return keep_going(0); });
-    return run_trial({name, scene, bins.value_or(bins_around(start, settings_of(scene, 1).K))}, start,
-                     keep_going);
+    return sdpd::run_trial(
+        engine_trial(scene, bins.value_or(cg::bins_around(start.particles.eps, settings_of(scene, 1).K))),
+        start, keep_going);
   } catch (PhysicsError const& error) {
     return {.failure = fmt::format("no equilibrium to begin with: {}", error.what()),
             .dt = scene.scheme.dt.value};
@@ -69,12 +71,20 @@ double work_of(Scene const& scene) {
 
 } // namespace
 
+sdpd::Trial engine_trial(Scene const& scene, cg::Bins const& bins) {
+  return {.settings = settings_of(scene, 1),
+          .settle = scene.run.equilibrate,
+          .steps = scene.run.steps,
+          .sample_every = scene.run.sample_every,
+          .bins = bins};
+}
+
 double steps_of_start(Scene const& scene, StudyOptions const& options) {
   return std::ceil(options.start_time / start_dt(scene, options));
 }
 
-std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options) {
-  std::vector<TrialResult> results(plan.size());
+std::vector<sdpd::TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options) {
+  std::vector<sdpd::TrialResult> results(plan.size());
   Starts starts(plan, options);
   double total = 0, done = 0;
   for (auto const& trial : plan)
@@ -89,7 +99,7 @@ std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyO
         return options.keep_going((done + share * work_of(scene)) / total, name);
       };
       auto const file = options.directory / (name + ".json");
-      std::string const made_of = identity({name, scene, bins.value_or(EnergyBins{})}) +
+      std::string const made_of = identity(scene, bins.value_or(cg::Bins{})) +
                                   fmt::format(" start {} {}", options.start_dt, options.start_time);
       auto stored = options.directory.empty() ? std::nullopt : read_trial(file, made_of);
       if (!stored) {

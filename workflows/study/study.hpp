@@ -1,13 +1,19 @@
 #pragma once
-#include "workflows/study/trial.hpp"
+#include "sdpd/setup/trial.hpp"
+#include "workflows/scene/scene.hpp"
+#include <filesystem>
 
 namespace mesobridge::workflows {
 
+/// What the engine needs for a trial of a scene, whose `run` says how many steps settle (equilibrate) and how
+/// many are sampled; on one thread.
+sdpd::Trial engine_trial(Scene const& scene, cg::Bins const& bins);
+
 /// A trial that is planned: its scene without energy bins, which come from the common start of its size.
 struct PlannedTrial {
-  std::string name;
+  std::string name; ///< of its file; unique in a study
   Scene scene;
-  std::optional<EnergyBins> bins; ///< others than those around the start
+  std::optional<cg::Bins> bins; ///< of eps / k_B T; others than those around the start
 };
 
 struct StudyOptions {
@@ -27,7 +33,7 @@ double steps_of_start(Scene const& scene, StudyOptions const& options = {});
 /// Runs all trials, several at a time, each on one thread; scenes of one size of particles begin in the same
 /// state. Finished trials are stored in the directory and read back instead of being run again. The results
 /// do not depend on the threads, but for the times. In the order of the plan. Throws Interrupted.
-std::vector<TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options);
+std::vector<sdpd::TrialResult> run_study(std::vector<PlannedTrial> const& plan, StudyOptions const& options);
 
 /// The scene cut down to what a study needs: a small box of its fluid (at least `particles`, a cube).
 Scene small_sample(Scene const& scene, std::int64_t particles);

@@ -1,5 +1,7 @@
 #include "workflows/study/trade_off.hpp"
+#include "cg/distribution_error.hpp"
 #include "md/error.hpp"
+#include "sdpd/observe/gamma_law.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -145,8 +147,8 @@ double Bias::bound() const {
   return std::max({bound_of(T_kin), bound_of(T_int), bound_of(P)});
 }
 
-TrialResult const& TradeOff::reference(double K) const {
-  TrialResult const* best = nullptr;
+sdpd::TrialResult const& TradeOff::reference(double K) const {
+  sdpd::TrialResult const* best = nullptr;
   bool best_is_exact = false;
   for (auto const& configuration : configurations)
     for (auto const& trial : configuration.trials) {
@@ -162,7 +164,7 @@ TrialResult const& TradeOff::reference(double K) const {
   return *best;
 }
 
-Bias TradeOff::bias(Configuration const& of, TrialResult const& trial) const {
+Bias TradeOff::bias(Configuration const& of, sdpd::TrialResult const& trial) const {
   auto const& exact = reference(of.K);
   if (!scene.has_energies())
     return {.T_kin = relative(trial.T_kin, {1, 0, trial.T_kin.n_eff}), .P = relative(trial.P, exact.P)};
@@ -174,10 +176,10 @@ Bias TradeOff::bias(Configuration const& of, TrialResult const& trial) const {
   if (scene.fluid.eos == "ideal-gas") {
     double const shape = 1.5 * (of.K - 1);
     bias.eps_variance = relative(trial.eps_variance, {shape, 0, trial.eps_variance.n_eff});
-    histogram = gamma_law(of.K, trial.bins);
+    histogram = sdpd::gamma_law(of.K, trial.bins);
   }
-  bias.distribution = distribution_error(trial.histogram(), histogram);
-  bias.distribution_noise = distribution_noise(trial, histogram);
+  bias.distribution = cg::distribution_error(trial.histogram(), histogram);
+  bias.distribution_noise = cg::distribution_noise(trial.first_half, trial.second_half, histogram);
   return bias;
 }
 
@@ -209,7 +211,7 @@ TradeOff trade_off(Scene const& scene, TradeOffPlan const& plan, StudyOptions co
       dt.push_back(step);
       rates.push_back({trial.drift().rate, trial.drift().se, 8});
     }
-    configuration.drift = fit_power_law(dt, rates);
+    configuration.drift = fitting::fit_power_law(dt, rates);
   }
   for (auto& configuration : found.configurations) {
     bound_stability(plan, configuration);

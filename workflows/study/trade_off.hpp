@@ -1,5 +1,5 @@
 #pragma once
-#include "workflows/study/power_law.hpp"
+#include "fitting/power_law.hpp"
 #include "workflows/study/study.hpp"
 
 namespace mesobridge::workflows {
@@ -23,9 +23,9 @@ struct Target {
 struct Configuration {
   std::string scheme, splitting, integrator;
   double K = 0;
-  std::vector<TrialResult> trials;  ///< in the order of the plan's dt
-  PowerLaw drift;                   ///< of the rates against dt
-  std::optional<double> stable_dt;  ///< the largest time step at which a run went through
+  std::vector<sdpd::TrialResult> trials; ///< in the order of the plan's dt
+  fitting::PowerLaw drift;               ///< of the rates against dt
+  std::optional<double> stable_dt;       ///< the largest time step at which a run went through
   std::optional<double> failing_dt; ///< the smallest one at which none did; nothing up to the search's limit
 
   std::string name() const;
@@ -48,8 +48,8 @@ struct TradeOff {
   std::vector<Configuration> configurations;
   /// The trial that the others of its size are compared with: smallest time step, exact scheme if it is
   /// there.
-  TrialResult const& reference(double K) const;
-  Bias bias(Configuration const& of, TrialResult const& trial) const;
+  sdpd::TrialResult const& reference(double K) const;
+  Bias bias(Configuration const& of, sdpd::TrialResult const& trial) const;
 };
 
 /// The choice for a target.

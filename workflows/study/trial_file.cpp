@@ -6,7 +6,7 @@
 namespace mesobridge::workflows {
 
 template <class Result, class F>
-requires std::is_same_v<std::remove_const_t<Result>, TrialResult>
+requires std::is_same_v<std::remove_const_t<Result>, sdpd::TrialResult>
 void for_each_member(Result& r, F const& f) {
   f("failure", r.failure), f("dt", r.dt), f("settled", r.settled);
   f("T_kin", r.T_kin), f("T_int", r.T_int), f("P", r.P);
@@ -20,17 +20,18 @@ void for_each_member(Result& r, F const& f) {
   f("times", r.times), f("energies", r.energies);
 }
 
-std::string identity(Trial const& trial) {
-  return fmt::format("{}\nbins {} {} {}\n{}{}", resolved_toml(trial.scene), trial.bins.lower,
-                     trial.bins.upper, trial.bins.count, git_commit(), input_hashes(trial.scene));
+std::string identity(Scene const& scene, cg::Bins const& bins) {
+  return fmt::format("{}\nbins {} {} {}\n{}{}", resolved_toml(scene), bins.lower, bins.upper, bins.count,
+                     git_commit(), input_hashes(scene));
 }
 
-void write_trial(std::filesystem::path const& file, std::string const& identity, TrialResult const& result) {
+void write_trial(std::filesystem::path const& file, std::string const& identity,
+                 sdpd::TrialResult const& result) {
   write_part(file, identity, result);
 }
 
-std::optional<TrialResult> read_trial(std::filesystem::path const& file, std::string const& identity) {
-  return read_part<TrialResult>(file, identity);
+std::optional<sdpd::TrialResult> read_trial(std::filesystem::path const& file, std::string const& identity) {
+  return read_part<sdpd::TrialResult>(file, identity);
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,6 @@
 #include "fuzz/change_text.hpp"
 #include "fuzz/kinds/kinds.hpp"
+#include "soft_scene.hpp"
 #include "workflows/text_file.hpp"
 
 namespace mesobridge::fuzz {
@@ -35,28 +36,11 @@ isentrope,2.351419,,29.500000,0.245286,,,0.08328262,0.00083283,,
   workflows::write_text_file(
       folder / "soft.csv",
       "r,u,f\n0.1,20.25,45\n0.3,12.25,35\n0.5,6.25,25\n0.7,2.25,15\n0.9,0.25,5\n1.0,0,0\n");
-  workflows::write_text_file(folder / "soft.toml", R"(title = "a table"
-units = "lj"
-[method]
-name = "dpd"
-[fluid]
-rho = 3
-T = 1
-[particles]
-N = 216
-mass = 1
-[potential]
-file = "soft.csv"
-[friction]
-gamma_par = 4.5
-cutoff = 1
-[scheme]
-dt = 0.01
-[run]
-equilibrate = 10
-steps = 64
-sample_every = 2
-)");
+  workflows::write_text_file(folder / "soft.toml",
+                             tests::SoftScene{.method = "dpd",
+                                              .run = "equilibrate = 10\nsteps = 64\nsample_every = 2\n",
+                                              .potential = "file = \"soft.csv\"\n"}
+                                 .text());
 }
 
 void change(Random& random, Trial& trial) {

@@ -1,6 +1,7 @@
 #include "fuzz/change_text.hpp"
 #include "fuzz/kinds/kinds.hpp"
 #include "fuzz/kinds/tiny_run.hpp"
+#include "soft_scene.hpp"
 #include "workflows/command.hpp"
 #include "workflows/scene/keys.hpp"
 #include "workflows/text_file.hpp"
@@ -13,37 +14,12 @@ namespace {
 
 constexpr double dear = 2; ///< seconds by check's own estimate (of a build without sanitizers): not run then
 
-constexpr char const* soft_scene = R"(title = "soft"
-units = "lj"
-[method]
-name = "dpde"
-[fluid]
-rho = 3
-T = 1
-[particles]
-N = 216
-mass = 1
-[potential]
-name = "soft"
-a = 25
-cutoff = 1
-[friction]
-gamma_par = 4.5
-gamma_perp = 2
-cutoff = 1
-[internal_energy]
-heat_capacity = 60
-[scheme]
-dt = 0.01
-[run]
-equilibrate = 10
-steps = 64
-sample_every = 2
-)";
-
 void prepare(std::filesystem::path const& folder) {
   workflows::write_text_file(folder / "sdpd.toml", tiny_scene);
-  workflows::write_text_file(folder / "soft.toml", soft_scene);
+  workflows::write_text_file(folder / "soft.toml",
+                             tests::SoftScene{.run = "equilibrate = 10\nsteps = 64\nsample_every = 2\n",
+                                              .friction = "gamma_par = 4.5\ngamma_perp = 2\ncutoff = 1\n"}
+                                 .text());
 }
 
 /// "section.key=value" of any key that there is.

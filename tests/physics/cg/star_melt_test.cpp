@@ -2,7 +2,7 @@
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
 #include "md/star_width.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ class StarMeltTest : public ::testing::Test {
   }
 
   md::MpiWorld world_;
-  md::test::ScratchFolder folder_;
+  tests::ScratchDirectory folder_;
   md::MoleculeFrame last_;
 };
 
@@ -148,7 +148,7 @@ TEST_F(StarMeltTest, TheSmallestBoxHoldsItsStars) {
 
 TEST_F(StarMeltTest, AResumedRunEqualsTheUnbrokenOneBitForBit) {
   auto const unbroken = run(small_melt(folder_.path()), false);
-  md::test::ScratchFolder elsewhere;
+  tests::ScratchDirectory elsewhere;
   auto const settings = small_melt(elsewhere.path());
   std::int64_t const all = md::plan(settings).back().first_step + 300;
   auto before = run(settings, false, all - 200); // in the middle of the last stretch

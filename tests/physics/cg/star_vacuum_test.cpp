@@ -1,7 +1,7 @@
 #include "cg/blobs.hpp"
 #include "cg/entropy.hpp"
 #include "md/star_vacuum.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
@@ -30,7 +30,7 @@ class StarVacuumTest : public ::testing::Test {
   }
 
   md::MpiWorld world_;
-  md::test::ScratchFolder folder_;
+  tests::ScratchDirectory folder_;
   md::MoleculeFrame last_;
 };
 

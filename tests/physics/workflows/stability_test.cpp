@@ -6,7 +6,7 @@ namespace {
 
 /// A run either goes through with finite, positive temperatures or says which particle could not, at which
 /// step and time step, and why; a state outside the model is refused before the first step.
-void expect_clear(StabilityCase const& one, TrialResult const& result) {
+void expect_clear(StabilityCase const& one, sdpd::TrialResult const& result) {
   if (!result.failed()) {
     EXPECT_GT(result.T_kin.mean, 0) << one.name;
     EXPECT_GT(result.T_int.mean, 0) << one.name;

@@ -1,16 +1,18 @@
+#include "cg/distribution_error.hpp"
 #include "workflows/reproduce/ideal_gas_study.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include "workflows/study/study.hpp"
-#include "workflows/study/trial.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
 namespace {
 
-TrialResult run(double dt, double time) {
+sdpd::TrialResult run(double dt, double time) {
   auto scene = small_sample(thesis_ideal_gas(5, "ems", 3), 216);
-  auto const start = equilibrated_start(scene, 0.05, 10, [] { return true; });
+  auto const start = sdpd::equilibrated_start(settings_of(scene, 1), 0.05, 10, [] { return true; });
   set_times(scene, dt, 5, time);
-  return run_trial({"trial", scene, bins_around(start, 5)}, start, [](std::uint64_t) { return true; });
+  return sdpd::run_trial(engine_trial(scene, cg::bins_around(start.particles.eps, 5)), start,
+                         [](std::uint64_t) { return true; });
 }
 
 // At K = 5 and dt = 0.4 Verlet's errors double the temperature within a few thousand units of time.

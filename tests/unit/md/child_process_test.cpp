@@ -1,6 +1,6 @@
 #include "md/child_process.hpp"
 #include "md/error.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -58,12 +58,21 @@ TEST(ChildProcess, IsNoPartOfThisMpiWorldAndLeadsAGroupOfItsOwn) {
 }
 
 TEST(ChildProcess, ThatCannotBeExecutedSaysSoByItsCode) {
-  ScratchFolder const empty;
+  tests::ScratchDirectory const empty;
   pid_t const child = start_child({(empty.path() / "program").string()}, {});
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 127);
   EXPECT_THROW(start_child({}, {}), InputError);
+}
+
+TEST(ChildProcess, IsFoundByItsNameOrItsPath) {
+  auto const found = program_file("sh");
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->ends_with("/sh"));
+  EXPECT_EQ(program_file(*found), found);
+  for (char const* name : {"mesobridge-no-such-program", "/tmp", "/dev/null"})
+    EXPECT_FALSE(program_file(name)) << name;
 }
 
 TEST(ChildProcess, GetsItsOwnVariableAndNotAnInheritedOne) {

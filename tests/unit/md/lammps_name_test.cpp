@@ -1,6 +1,6 @@
 #include "md/error.hpp"
 #include "md/lammps_name.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ std::string content(std::filesystem::path const& file) {
 }
 
 TEST(LammpsName, LeadsToTheFileInLettersThatLammpsLeavesAlone) {
-  ScratchFolder const scratch;
+  tests::ScratchDirectory const scratch;
   int cases = 0;
   for (std::string const name :
        {"ü", "per%s", "star*", "a \"quoted\" one", "$HOME", "new\nline", "水", "#1 &"}) {

@@ -1,6 +1,6 @@
 #include "md/error.hpp"
 #include "md/rank_launcher.hpp"
-#include "tests/unit/md/scratch_folder.hpp"
+#include "scratch_directory.hpp"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -72,7 +72,7 @@ TEST(RankLauncher, AnInterruptReachesTheRanksAndGivesThemTimeToEnd) {
 
 TEST(RankLauncher, AMissingMpirunIsAClearError) {
   std::string const path = std::getenv("PATH");
-  ScratchFolder const empty;
+  tests::ScratchDirectory const empty;
   setenv("PATH", empty.path().c_str(), 1);
   try {
     on_ranks(2, "exit 0");

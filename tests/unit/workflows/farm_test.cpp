@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/farm.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/ranks.hpp"

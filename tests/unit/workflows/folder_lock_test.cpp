@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #pragma once
+#include "md/child_process.hpp"
 #include <chrono>
 #include <csignal>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace mesobridge::tests {
@@ -12,15 +12,7 @@ namespace mesobridge::tests {
 /// Starts the program, waits and sends it a signal; its status as waitpid tells it.
 template <class Wait>
 int killed(Wait const& wait, int signal, std::vector<std::string> command) {
-  std::vector<char*> argv;
-  for (auto& word : command)
-    argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t const child = fork();
-  if (child == 0) {
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
+  pid_t const child = md::start_child(std::move(command), {});
   wait();
   kill(child, signal);
   int status = 0;

@@ -1,4 +1,5 @@
 #include "scene_error.hpp"
+#include "soft_scene.hpp"
 #include "workflows/scene/scene.hpp"
 #include <gtest/gtest.h>
 
@@ -30,26 +31,10 @@ quantities = ["velocity", "P"]
 every = 100
 )";
 
-std::string const dpd = R"(title = "t"
-units = "lj"
-[method]
-name = "dpd"
-[fluid]
-rho = 3
-T = 1
-[particles]
-N = 1000
-mass = 1
-[friction]
-gamma_par = 4.5
-cutoff = 1
-[scheme]
-dt = 0.01
-[run]
-steps = 1000
-[profile]
-every = 10
-)";
+std::string const dpd =
+    tests::SoftScene{
+        .method = "dpd", .N = 1000, .run = "steps = 1000\n[profile]\nevery = 10\n", .potential = ""}
+        .text();
 
 TEST(ObserveScene, ReadsItsTablesAndReadsBackAsTheSame) {
   auto const scene = parse_scene(sdpd, "s.toml");

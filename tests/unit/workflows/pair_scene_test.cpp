@@ -1,7 +1,8 @@
 #include "md/error.hpp"
 #include "scene_error.hpp"
+#include "scratch_directory.hpp"
 #include "sdpd/potential/list.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "soft_scene.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
@@ -12,30 +13,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::string const dpde = R"(title = "DPDE"
-units = "lj"
-[method]
-name = "dpde"
-[fluid]
-rho = 3
-T = 1
-[particles]
-N = 1000
-mass = 1
-[potential]
-name = "soft"
-a = 25
-cutoff = 1
-[friction]
-gamma_par = 4.5
-cutoff = 1
-[internal_energy]
-heat_capacity = 60
-[scheme]
-dt = 0.01
-[run]
-steps = 100
-)";
+std::string const dpde = tests::SoftScene{.N = 1000, .run = "steps = 100\n"}.text();
 
 using tests::error_of, tests::replaced;
 

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/store/page_digest.hpp"
 #include "workflows/store/seal.hpp"
 #include "workflows/store/store.hpp"

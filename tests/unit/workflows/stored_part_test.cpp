@@ -1,4 +1,4 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/size_study/parts.hpp"
 #include "workflows/study/stored_part.hpp"
 #include <cstring>

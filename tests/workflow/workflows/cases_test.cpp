@@ -1,5 +1,5 @@
 #include "fitting/toml_reader.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/process.hpp"
 #include "workflows/text_file.hpp"

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/chapter.hpp"
 #include <gtest/gtest.h>

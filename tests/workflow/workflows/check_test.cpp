@@ -1,4 +1,5 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
+#include "soft_scene.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/command_line.hpp"
 #include "workflows/scene/keys.hpp"
@@ -32,32 +33,7 @@ equilibrate = 16
 steps = 320
 )";
 
-constexpr char const* dpde = R"(title = "soft"
-units = "lj"
-[method]
-name = "dpde"
-[fluid]
-rho = 3
-T = 1
-[particles]
-N = 216
-mass = 1
-[potential]
-name = "soft"
-a = 25
-cutoff = 1
-[friction]
-gamma_par = 4.5
-cutoff = 1
-[internal_energy]
-heat_capacity = 60
-[scheme]
-dt = 0.01
-[run]
-sample_every = 2
-equilibrate = 8
-steps = 64
-)";
+tests::SoftScene const dpde{.run = "sample_every = 2\nequilibrate = 8\nsteps = 64\n"};
 
 struct Outcome {
   int code;
@@ -78,10 +54,10 @@ class CheckAndRun : public testing::Test {
  protected:
   CheckAndRun() {
     write_text_file(scratch_ / "sdpd.toml", sdpd);
-    write_text_file(scratch_ / "dpde.toml", dpde);
-    std::string table = dpde, soft = "name = \"soft\"\na = 25\ncutoff = 1\n";
-    table.replace(table.find(soft), soft.size(), "name = \"table\"\nfile = \"words.csv\"\n");
-    write_text_file(scratch_ / "table.toml", table);
+    write_text_file(scratch_ / "dpde.toml", dpde.text());
+    auto table = dpde;
+    table.potential = "name = \"table\"\nfile = \"words.csv\"\n";
+    write_text_file(scratch_ / "table.toml", table.text());
     write_text_file(scratch_ / "empty.toml", "");
     write_text_file(scratch_ / "empty.csv", "");
     write_text_file(scratch_ / "words.csv", "r,u\n0.1,3\n0.2,two\n0.3,1\n0.4,0\n");

@@ -1,6 +1,6 @@
 #include "md/error.hpp"
+#include "scratch_directory.hpp"
 #include "short_run.hpp"
-#include "unit/workflows/scratch_directory.hpp"
 #include <cerrno>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/process.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
@@ -17,10 +17,10 @@ using tests::ScratchDirectory;
 
 ProcessResult eos(std::string const& line) {
   std::istringstream stream(line);
-  std::vector<std::string> words{MESOBRIDGE_PROGRAM, "eos"};
+  std::vector<std::string> words{"eos"};
   for (std::string word; stream >> word;)
     words.push_back(word);
-  return run_process(words);
+  return tests::program(words);
 }
 
 Json json_of(std::string const& line) {
@@ -256,11 +256,7 @@ TEST(EosCommands, BadInputHasACodeAndOneClearMessage) {
   };
   int ran = 0;
   for (auto const& [line, code, message] : cases) {
-    auto const result = eos(line);
-    EXPECT_EQ(result.status, code) << line << "\n" << result.errors;
-    EXPECT_NE(result.errors.find(message), std::string::npos) << line << "\n" << result.errors;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_EQ(result.output, "");
+    tests::expect_refusal(eos(line), code, message);
     ++ran;
   }
   EXPECT_EQ(ran, 20);

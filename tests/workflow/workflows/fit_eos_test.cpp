@@ -1,7 +1,7 @@
 #include "fitting/model_file.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
@@ -11,12 +11,8 @@
 namespace mesobridge::workflows {
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 std::string const data = MESOBRIDGE_SOURCE_DIR "/workflows/data/";
 
@@ -119,11 +115,7 @@ TEST(FitEosCommand, BadInputHasACodeAndOneClearMessage) {
   };
   int ran = 0;
   for (auto const& [words, code, message] : cases) {
-    auto const result = program(with(words, {"-o", scratch / "model.toml"}));
-    EXPECT_EQ(result.status, code) << result.errors;
-    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_EQ(result.output, "");
+    tests::expect_refusal(program(with(words, {"-o", scratch / "model.toml"})), code, message);
     ++ran;
   }
   EXPECT_EQ(ran, 13);

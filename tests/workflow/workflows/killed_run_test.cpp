@@ -1,5 +1,5 @@
+#include "scratch_directory.hpp"
 #include "unit/workflows/killed_process.hpp"
-#include "unit/workflows/scratch_directory.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"

@@ -1,6 +1,6 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <cmath>
@@ -12,13 +12,9 @@ namespace mesobridge::workflows {
 
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
-
-ProcessResult program(Words words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 /// Copper by Foiles's potential, whose short cut-off allows a small box.
 Words small(std::string const& command, std::string const& directory, Words const& more) {
@@ -69,11 +65,7 @@ TEST(MetalProgram, BadInputHasACodeAndOneClearMessage) {
   };
   int ran = 0;
   for (auto const& [words, code, message] : cases) {
-    auto const result = program(words);
-    EXPECT_EQ(result.status, code) << result.errors;
-    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_EQ(result.output, "");
+    tests::expect_refusal(program(words), code, message);
     ++ran;
   }
   EXPECT_EQ(ran, 13);

@@ -1,5 +1,5 @@
-#include "unit/workflows/scratch_directory.hpp"
-#include "workflows/process.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -11,12 +11,8 @@ namespace mesobridge::workflows {
 
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
 
@@ -102,11 +98,7 @@ TEST(Program, BadInputHasACodeAndOneClearMessage) {
   };
   int ran = 0;
   for (auto const& [words, code, message] : cases) {
-    auto const result = program(words);
-    EXPECT_EQ(result.status, code) << result.errors;
-    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_EQ(result.output, "");
+    tests::expect_refusal(program(words), code, message);
     ++ran;
   }
   EXPECT_EQ(ran, 23);

@@ -1,4 +1,5 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
+#include "unit/workflows/killed_process.hpp"
 #include "workflows/process.hpp"
 #include "workflows/sdpd/checkpoint_file.hpp"
 #include "workflows/store/store.hpp"
@@ -74,22 +75,13 @@ TEST(Run, WritesTheSameBytesOnOneAndTwoThreads) {
 
 /// Starts a run, sends it SIGINT once its first checkpoint is there, and returns its exit code.
 int interrupted_run(std::filesystem::path const& directory, std::vector<std::string> const& more = {}) {
-  auto words = run_words(directory, more);
-  std::vector<char*> argv;
-  for (auto& word : words)
-    argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t const child = fork();
-  if (child == 0) {
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  auto const give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-  while (!std::filesystem::exists(directory / "checkpoint.h5") && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
+  auto const until_checkpoint = [&] {
+    auto const give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    while (!std::filesystem::exists(directory / "checkpoint.h5") &&
+           std::chrono::steady_clock::now() < give_up)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  };
+  int const status = tests::killed(until_checkpoint, SIGINT, run_words(directory, more));
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 

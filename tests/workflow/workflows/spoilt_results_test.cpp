@@ -1,4 +1,4 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/lj/grid_file.hpp"
 #include "workflows/process.hpp"
 #include "workflows/star/blob_file.hpp"

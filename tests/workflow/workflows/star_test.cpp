@@ -1,5 +1,5 @@
-#include "unit/workflows/scratch_directory.hpp"
-#include "workflows/process.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/text_file.hpp"
 #include <cmath>
@@ -9,12 +9,8 @@ namespace mesobridge::workflows {
 
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 /// A dilute melt of a few stars, for so few steps that ranks have no time to part by chaos.
 std::vector<std::string> short_melt(std::filesystem::path const& directory, std::string const& ranks,

@@ -1,6 +1,6 @@
-#include "unit/workflows/scratch_directory.hpp"
+#include "program.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command.hpp"
-#include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <chrono>
@@ -14,12 +14,8 @@
 namespace mesobridge::workflows {
 namespace {
 
+using tests::program;
 using tests::ScratchDirectory;
-
-ProcessResult program(std::vector<std::string> words) {
-  words.insert(words.begin(), MESOBRIDGE_PROGRAM);
-  return run_process(words);
-}
 
 std::vector<std::string> study(ScratchDirectory const& scratch, std::vector<std::string> const& more = {}) {
   std::vector<std::string> words{"trade-off",

@@ -1,6 +1,6 @@
 #include "killed_writer.hpp"
 #include "md/error.hpp"
-#include "unit/workflows/scratch_directory.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/h5md.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/store/undo_journal.hpp"

@@ -1,10 +1,10 @@
-#include "workflows/study/power_law.hpp"
+#include "fitting/power_law.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gsl/gsl_fit.h>
 #include <vector>
 
-namespace mesobridge::workflows {
+namespace mesobridge::fitting {
 
 cg::Estimate PowerLaw::logarithm_at(double x) const {
   double const u = std::log(x);
@@ -42,4 +42,4 @@ PowerLaw fit_power_law(std::span<double const> x, std::span<cg::Estimate const> 
   return law;
 }
 
-} // namespace mesobridge::workflows
+} // namespace mesobridge::fitting

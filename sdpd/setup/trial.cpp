@@ -1,15 +1,13 @@
-#include "workflows/study/trial.hpp"
-#include "cg/histogram.hpp"
+#include "sdpd/setup/trial.hpp"
+#include "md/error.hpp"
+#include "md/processor_clock.hpp"
 #include "sdpd/observe/energy_walk.hpp"
 #include "sdpd/observe/runaway.hpp"
 #include "sdpd/setup/equilibration.hpp"
-#include "workflows/sdpd/settings.hpp"
-#include "workflows/study/processor_clock.hpp"
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_statistics_double.h>
-#include <numeric>
+#include <algorithm>
+#include <cmath>
 
-namespace mesobridge::workflows {
+namespace mesobridge::sdpd {
 namespace {
 
 constexpr std::int64_t instants = 64; ///< at which the particles are looked at one by one
@@ -24,16 +22,15 @@ constexpr double least_time = 8 * 2 * walk_lag;
 /// A trial on its way.
 class TrialRun {
  public:
-  TrialRun(Trial const& trial, sdpd::Checkpoint const& start)
-      : trial_(trial), settings_(settings_of(trial.scene, 1)), simulation_(settings_),
-        sampler_(settings_.features()) {
+  TrialRun(Trial const& trial, Checkpoint const& start)
+      : trial_(trial), settings_(trial.settings), simulation_(settings_), sampler_(settings_.features()) {
     simulation_.begin_from(start);
     counts_at_start_ = simulation_.pair_counts();
   }
 
   TrialResult carry_out(std::function<bool(std::uint64_t)> const& keep_going) {
     try {
-      advance(trial_.scene.run.equilibrate, keep_going, [] {});
+      advance(trial_.settle, keep_going, [] {});
       sample(keep_going);
     } catch (PhysicsError const& error) {
       return failed(error.what());
@@ -55,15 +52,14 @@ class TrialRun {
   }
 
   void sample(std::function<bool(std::uint64_t)> const& keep_going) {
-    auto const& run = trial_.scene.run;
-    std::int64_t const every_instant = std::max<std::int64_t>(1, run.steps / instants);
+    std::int64_t const every_instant = std::max<std::int64_t>(1, trial_.steps / instants);
     std::int64_t k = 0;
     take_sample(0);
     heat_capacity_ = simulation_.heat_capacity();
-    ProcessorClock const clock;
-    advance(run.steps, keep_going, [&] {
+    md::ProcessorClock const clock;
+    advance(trial_.steps, keep_going, [&] {
       ++k;
-      if (k % run.sample_every == 0)
+      if (k % trial_.sample_every == 0)
         take_sample(static_cast<double>(k) * settings_.dt);
       if (k % every_instant == 0)
         take_instant();
@@ -73,13 +69,13 @@ class TrialRun {
 
   void take_sample(double time) {
     auto const now = simulation_.observe();
-    sdpd::refuse_runaway(now, settings_.dt);
+    refuse_runaway(now, settings_.dt);
     sampler_.sample(now, time);
   }
 
   void take_instant() {
     auto const now = simulation_.snapshot();
-    sampler_.sample(sdpd::moments(now));
+    sampler_.sample(moments(now));
     auto& values = ++instants_taken_ <= instants / 2 ? first_ : second_;
     for (double const eps : now.eps)
       values.push_back(eps * settings_.K);
@@ -87,7 +83,7 @@ class TrialRun {
 
   std::vector<double> histogram(std::vector<double> const& values) const {
     auto const& bins = trial_.bins;
-    if (!trial_.scene.has_energies())
+    if (!settings_.features().energies)
       return {};
     return cg::histogram(values, bins.lower, bins.upper, bins.count).density;
   }
@@ -119,8 +115,7 @@ class TrialRun {
             static_cast<double>(counts.out_of_domain - counts_at_start_.out_of_domain) / pairs,
         .rejected_metropolis = static_cast<double>(counts.metropolis - counts_at_start_.metropolis) / pairs,
         .us_per_particle_step =
-            seconds_ * 1e6 /
-            (static_cast<double>(trial_.scene.run.steps) * static_cast<double>(simulation_.size())),
+            seconds_ * 1e6 / (static_cast<double>(trial_.steps) * static_cast<double>(simulation_.size())),
         .bins = trial_.bins,
         .first_half = histogram(first_),
         .second_half = histogram(second_)};
@@ -131,9 +126,9 @@ class TrialRun {
   /// Adds what the energies in time say.
   void add_energies(TrialResult& found) const {
     double const E_0 = sampler_.energies()[0];
-    found.settled = static_cast<double>(trial_.scene.run.equilibrate) * settings_.dt;
+    found.settled = static_cast<double>(trial_.settle) * settings_.dt;
     found.E_0 = E_0, found.heat_capacity = heat_capacity_;
-    if (trial_.scene.has_energies()) // DPD's thermostat keeps no energy that could drift
+    if (settings_.features().energies) // DPD's thermostat keeps no energy that could drift
       add_drift(found);
     std::size_t const every = std::max<std::size_t>(1, sampler_.times().size() / stored_energies);
     for (std::size_t k = 0; k < sampler_.times().size(); k += every) {
@@ -144,31 +139,30 @@ class TrialRun {
 
   void add_drift(TrialResult& found) const {
     std::size_t const samples =
-        sdpd::samples_before_heating(sampler_.energies(), most_heating * heat_capacity_ / settings_.K);
+        samples_before_heating(sampler_.energies(), most_heating * heat_capacity_ / settings_.K);
     auto const times = sampler_.times().first(samples), energies = sampler_.energies().first(samples);
     bool const cut = found.failed() || samples < sampler_.times().size();
     found.drift_unknown = samples < least_samples || (cut && times.back() < least_time);
     if (found.drift_unknown)
       return;
-    auto const drift = sdpd::energy_drift(times, energies);
+    auto const drift = energy_drift(times, energies);
     found.drift_of_mean = {energies[0] < 0 ? -drift.rate : drift.rate, drift.se};
     found.drift_of_walk = walk(times, energies);
   }
 
-  sdpd::Drift walk(std::span<double const> times, std::span<double const> energies) const {
-    bool const conserved = !trial_.scene.has_energies() || settings_.scheme.keep_energy ||
-                           settings_.scheme.conservative == sdpd::Conservative::none;
-    if (conserved || settings_.scheme.pairs == sdpd::PairScheme::ser ||
-        !sdpd::enough_for_energy_walk(times, walk_lag))
+  Drift walk(std::span<double const> times, std::span<double const> energies) const {
+    bool const conserved = !settings_.features().energies || settings_.scheme.keep_energy ||
+                           settings_.scheme.conservative == Conservative::none;
+    if (conserved || settings_.scheme.pairs == PairScheme::ser || !enough_for_energy_walk(times, walk_lag))
       return {};
-    return sdpd::drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K, 1);
+    return drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K, 1);
   }
 
   Trial const& trial_;
-  sdpd::SimulationSettings settings_;
-  sdpd::Simulation simulation_;
-  sdpd::PairCounts counts_at_start_;
-  sdpd::EquilibriumSampler sampler_;
+  SimulationSettings const& settings_;
+  Simulation simulation_;
+  PairCounts counts_at_start_;
+  EquilibriumSampler sampler_;
   std::vector<double> first_, second_;
   std::int64_t instants_taken_ = 0;
   std::uint64_t done_ = 0;
@@ -177,7 +171,7 @@ class TrialRun {
 
 } // namespace
 
-sdpd::Drift TrialResult::drift() const {
+Drift TrialResult::drift() const {
   if (!(drift_of_walk.se > 0) || drift_of_mean.se < drift_of_walk.se)
     return drift_of_mean;
   double const apart = std::abs(drift_of_walk.rate - drift_of_mean.rate);
@@ -191,60 +185,19 @@ std::vector<double> TrialResult::histogram() const {
   return mean;
 }
 
-sdpd::Checkpoint equilibrated_start(Scene const& scene, double dt, double time,
-                                    std::function<bool()> const& keep_going) {
-  auto settings = settings_of(scene, 1);
+Checkpoint equilibrated_start(SimulationSettings settings, double dt, double time,
+                              std::function<bool()> const& keep_going) {
   settings.dt = dt;
-  bool const exact = settings.noise && scene.has_energies();
-  settings.scheme = {.pairs = exact ? sdpd::PairScheme::ems : sdpd::PairScheme::ssa};
-  sdpd::Simulation simulation(settings);
-  sdpd::equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
+  bool const exact = settings.noise && settings.features().energies;
+  settings.scheme = {.pairs = exact ? PairScheme::ems : PairScheme::ssa};
+  Simulation simulation(settings);
+  equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
   return simulation.checkpoint();
 }
 
-TrialResult run_trial(Trial const& trial, sdpd::Checkpoint const& start,
+TrialResult run_trial(Trial const& trial, Checkpoint const& start,
                       std::function<bool(std::uint64_t)> const& keep_going) {
   return TrialRun(trial, start).carry_out(keep_going);
 }
 
-EnergyBins bins_around(sdpd::Checkpoint const& start, double K) {
-  auto const& eps = start.particles.eps;
-  if (eps.empty())
-    return {};
-  double const mean = gsl_stats_mean(eps.data(), 1, eps.size()), sd = gsl_stats_sd(eps.data(), 1, eps.size());
-  constexpr double reach = 8;
-  return {.lower = K * (mean - reach * sd), .upper = K * (mean + reach * sd)};
-}
-
-double distribution_error(std::vector<double> const& found, std::vector<double> const& reference) {
-  double square = 0, norm = 0;
-  for (std::size_t b = 0; b < reference.size(); ++b) {
-    square += (found[b] - reference[b]) * (found[b] - reference[b]);
-    norm += reference[b] * reference[b];
-  }
-  return std::sqrt(square / norm);
-}
-
-double distribution_noise(TrialResult const& result, std::vector<double> const& reference) {
-  double square = 0, norm = 0;
-  for (std::size_t b = 0; b < reference.size(); ++b) {
-    double const half = 0.5 * (result.first_half[b] - result.second_half[b]);
-    square += half * half;
-    norm += reference[b] * reference[b];
-  }
-  return std::sqrt(square / norm);
-}
-
-std::vector<double> gamma_law(double K, EnergyBins const& bins) {
-  double const shape = 1.5 * (K - 1);
-  std::vector<double> density(bins.count);
-  for (std::size_t b = 0; b < bins.count; ++b) {
-    double const low = bins.lower + static_cast<double>(b) * bins.width();
-    double const below = gsl_cdf_gamma_P(std::max(0.0, low), shape, 1),
-                 above = gsl_cdf_gamma_P(std::max(0.0, low + bins.width()), shape, 1);
-    density[b] = (above - below) / bins.width();
-  }
-  return density;
-}
-
-} // namespace mesobridge::workflows
+} // namespace mesobridge::sdpd

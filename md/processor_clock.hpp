@@ -1,7 +1,7 @@
 #pragma once
 #include <ctime>
 
-namespace mesobridge::workflows {
+namespace mesobridge::md {
 
 /// Processor time of the calling thread since the clock was made: other programs on the same cores disturb it
 /// far less than the time on the wall.
@@ -18,4 +18,4 @@ class ProcessorClock {
   double start_ = now();
 };
 
-} // namespace mesobridge::workflows
+} // namespace mesobridge::md

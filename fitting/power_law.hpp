@@ -2,7 +2,7 @@
 #include "cg/estimate.hpp"
 #include <span>
 
-namespace mesobridge::workflows {
+namespace mesobridge::fitting {
 
 /// y = C x^n through points with errors.
 struct PowerLaw {
@@ -22,4 +22,4 @@ struct PowerLaw {
 /// allow. Not known() when fewer than three points are resolved.
 PowerLaw fit_power_law(std::span<double const> x, std::span<cg::Estimate const> y);
 
-} // namespace mesobridge::workflows
+} // namespace mesobridge::fitting

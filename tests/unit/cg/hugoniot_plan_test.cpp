@@ -1,13 +1,13 @@
+#include "cg/hugoniot_plan.hpp"
 #include "md/error.hpp"
 #include "md/units.hpp"
-#include "unit/workflows/scratch_directory.hpp"
-#include "workflows/metal/hugoniot_plan.hpp"
+#include "scratch_directory.hpp"
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace mesobridge::workflows {
+namespace mesobridge::cg {
 
 namespace {
 
@@ -31,15 +31,15 @@ class Nature {
   double latent_heat = 2e5; // J/kg, copper's
   double pressure_of_melting = 0;
 
-  cg::MetalPoint measure(md::MetalState state) {
+  MetalPoint measure(md::MetalState state) {
     auto const cold = cold_.at(state.rho);
     double const thermal = 3.3 * k_B * state.T / mass_;
     bool const liquid = state.T > T_melt;
-    cg::MetalPoint point;
+    MetalPoint point;
     point.state = state;
     point.e = {cold.e + thermal + (liquid ? latent_heat : 0), 100, 100};
     point.P = {cold.P + 1.5 * state.rho * thermal + (liquid ? pressure_of_melting : 0), 1e7, 100};
-    point.phase = liquid ? cg::Phase::liquid : cg::Phase::solid;
+    point.phase = liquid ? Phase::liquid : Phase::solid;
     return point;
   }
 
@@ -50,14 +50,13 @@ class Nature {
 
 struct Outcome {
   HugoniotCurve curve;
-  std::vector<cg::MetalPoint> known;
+  std::vector<MetalPoint> known;
   int rounds = 0;
 };
 
 /// Plays the plan to its end.
-Outcome play(HugoniotRequest const& request, Nature& nature, md::MetalSettings const& settings,
-             cg::Phase start) {
-  QuasiharmonicMetal metal(md::MpiWorld(), settings);
+Outcome play(HugoniotRequest const& request, Nature& nature, md::MetalSettings const& settings, Phase start) {
+  md::QuasiharmonicMetal metal(md::MpiWorld(), settings);
   Outcome outcome;
   for (; outcome.rounds < 20; ++outcome.rounds) {
     outcome.curve = plan_hugoniot(request, metal, start, outcome.known);
@@ -73,7 +72,7 @@ Outcome play(HugoniotRequest const& request, Nature& nature, md::MetalSettings c
 }
 
 /// h(T) of a point, from what nature answers there.
-double hugoniot_function(Nature& nature, cg::HugoniotPoint const& point) {
+double hugoniot_function(Nature& nature, HugoniotPoint const& point) {
   auto const initial = nature.measure(point.initial), there = nature.measure({point.rho, point.T.mean});
   return there.e.mean - initial.e.mean -
          (there.P.mean + initial.P.mean) * (1 / point.initial.rho - 1 / point.rho) / 2;
@@ -84,7 +83,7 @@ TEST(HugoniotPlan, FindsTheCurveOfAMetalThatDiffersFromItsEstimates) {
   auto const settings = copper(scratch);
   Nature nature(md::MpiWorld(), settings);
   HugoniotRequest const request{.T0 = 300, .rho0 = {}, .compressions = {1.05, 1.2, 1.3}, .v_P = {600}};
-  auto const [curve, known, rounds] = play(request, nature, settings, cg::Phase::solid);
+  auto const [curve, known, rounds] = play(request, nature, settings, Phase::solid);
   EXPECT_LE(rounds, 4);
   EXPECT_TRUE(curve.unsolved.empty());
   ASSERT_EQ(curve.points.size(), 4u);
@@ -106,10 +105,10 @@ TEST(HugoniotPlan, MadeAnewFromTheSameStatesItIsTheSame) {
   auto const settings = copper(scratch);
   Nature nature(md::MpiWorld(), settings);
   HugoniotRequest const request{.T0 = 300, .rho0 = {}, .compressions = {1.1, 1.25}, .v_P = {}};
-  auto const [curve, known, rounds] = play(request, nature, settings, cg::Phase::solid);
-  QuasiharmonicMetal another(md::MpiWorld(), settings); // with another history
+  auto const [curve, known, rounds] = play(request, nature, settings, Phase::solid);
+  md::QuasiharmonicMetal another(md::MpiWorld(), settings); // with another history
   another.shocked({8800, 500}, 10000);
-  auto const again = plan_hugoniot(request, another, cg::Phase::solid, known);
+  auto const again = plan_hugoniot(request, another, Phase::solid, known);
   EXPECT_TRUE(again.missing.empty());
   ASSERT_EQ(again.points.size(), curve.points.size());
   for (std::size_t k = 0; k < curve.points.size(); ++k)
@@ -122,10 +121,10 @@ TEST(HugoniotPlan, FollowsTheDensityOfZeroPressureFarFromItsEstimate) {
   Nature nature(md::MpiWorld(), settings);
   nature.T_melt = 100, nature.pressure_of_melting = 8e9; // a liquid is less dense by some per cent
   HugoniotRequest const request{.T0 = 1400, .rho0 = {}, .compressions = {1.2}, .v_P = {}};
-  auto const [curve, known, rounds] = play(request, nature, settings, cg::Phase::liquid);
+  auto const [curve, known, rounds] = play(request, nature, settings, Phase::liquid);
   ASSERT_TRUE(curve.initial);
   EXPECT_LT(std::abs(nature.measure(*curve.initial).P.mean), 5e7);
-  QuasiharmonicMetal metal(md::MpiWorld(), settings);
+  md::QuasiharmonicMetal metal(md::MpiWorld(), settings);
   EXPECT_LT(curve.initial->rho, 0.97 * metal.zero_pressure_density(1400));
   EXPECT_EQ(curve.points.size(), 1u);
 }
@@ -135,21 +134,21 @@ TEST(HugoniotPlan, TakesOnePhaseAndEndsWhereThereIsNone) {
   auto const settings = copper(scratch);
   Nature nature(md::MpiWorld(), settings);
   HugoniotRequest const request{.T0 = 300, .rho0 = 8800, .compressions = {1.3}, .v_P = {}};
-  auto const solid = play(request, nature, settings, cg::Phase::solid).curve.points;
+  auto const solid = play(request, nature, settings, Phase::solid).curve.points;
   ASSERT_EQ(solid.size(), 1u);
   double const T_solid = solid[0].T.mean;
 
   nature.T_melt =
       0.5 * T_solid; // the latent heat leaves a liquid solution below T_solid, above the melting point
   nature.latent_heat = 5e4;
-  auto const melted = play(request, nature, settings, cg::Phase::solid);
+  auto const melted = play(request, nature, settings, Phase::solid);
   ASSERT_EQ(melted.curve.points.size(), 1u);
-  EXPECT_EQ(melted.curve.points[0].phase, cg::Phase::liquid);
+  EXPECT_EQ(melted.curve.points[0].phase, Phase::liquid);
   EXPECT_LT(melted.curve.points[0].T.mean, T_solid);
 
   nature.T_melt = 0.98 * T_solid; // a crystal's solution would be liquid, a liquid's would be a crystal
   nature.latent_heat = 2e5;
-  auto const none = play(request, nature, settings, cg::Phase::solid);
+  auto const none = play(request, nature, settings, Phase::solid);
   EXPECT_LT(none.rounds, 20);
   EXPECT_TRUE(none.curve.points.empty());
   ASSERT_EQ(none.curve.unsolved.size(), 1u);
@@ -157,4 +156,4 @@ TEST(HugoniotPlan, TakesOnePhaseAndEndsWhereThereIsNone) {
 
 } // namespace
 
-} // namespace mesobridge::workflows
+} // namespace mesobridge::cg

@@ -1,15 +1,13 @@
-#include "workflows/metal/hugoniot_plan.hpp"
+#include "cg/hugoniot_plan.hpp"
 #include "md/error.hpp"
-#include "md/units.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace mesobridge::workflows {
+namespace mesobridge::cg {
 
 namespace {
 
-constexpr double grueneisen = 2;
 /// Temperatures of the first states, in units of the estimate, and of further ones, in units of the solution
 /// so far.
 constexpr std::array first_temperatures{0.87, 1.0, 1.13};
@@ -18,7 +16,7 @@ constexpr std::array further_temperatures{0.94, 1.06};
 constexpr double widest = 0.3;
 constexpr int most_states = 9;
 
-using Points = std::vector<cg::MetalPoint>;
+using Points = std::vector<MetalPoint>;
 
 /// States to be sampled have round numbers, so that a plan made anew asks for the same ones: a static energy
 /// comes with other last digits when another was computed before it.
@@ -37,7 +35,7 @@ std::vector<md::MetalState> states_about(double rho, double T, std::span<double 
   return states;
 }
 
-Points at(std::span<cg::MetalPoint const> known, md::MetalState state) {
+Points at(std::span<MetalPoint const> known, md::MetalState state) {
   Points found;
   std::copy_if(known.begin(), known.end(), std::back_inserter(found),
                [&](auto const& p) { return p.state == state; });
@@ -45,7 +43,7 @@ Points at(std::span<cg::MetalPoint const> known, md::MetalState state) {
 }
 
 /// Those of the states that are not known yet are missing; returns the points of the others.
-Points known_or_missing(std::span<md::MetalState const> states, std::span<cg::MetalPoint const> known,
+Points known_or_missing(std::span<md::MetalState const> states, std::span<MetalPoint const> known,
                         std::vector<md::MetalState>& missing) {
   Points points;
   for (auto const& state : states) {
@@ -60,11 +58,10 @@ Points known_or_missing(std::span<md::MetalState const> states, std::span<cg::Me
 
 /// The density of zero pressure at T0, from three densities about its estimate, and about the result where
 /// that lies outside of them (a liquid's does). Nothing while they are missing.
-std::optional<cg::Estimate> find_rho0(HugoniotRequest const& request, QuasiharmonicMetal& metal,
-                                      std::span<cg::MetalPoint const> known,
-                                      std::vector<md::MetalState>& missing) {
+std::optional<Estimate> find_rho0(HugoniotRequest const& request, md::QuasiharmonicMetal& metal,
+                                  std::span<MetalPoint const> known, std::vector<md::MetalState>& missing) {
   if (request.rho0)
-    return cg::Estimate{*request.rho0, 0, 0};
+    return Estimate{*request.rho0, 0, 0};
   constexpr double reach = 0.01;
   constexpr int rounds = 6;
   double centre = metal.zero_pressure_density(request.T0);
@@ -75,7 +72,7 @@ std::optional<cg::Estimate> find_rho0(HugoniotRequest const& request, Quasiharmo
     auto const points = known_or_missing(states, known, missing);
     if (!missing.empty())
       return std::nullopt;
-    auto const found = cg::zero_pressure_density(points);
+    auto const found = zero_pressure_density(points);
     if (std::abs(found.mean / centre - 1) < reach)
       return found;
     centre = found.mean;
@@ -87,24 +84,24 @@ std::optional<cg::Estimate> find_rho0(HugoniotRequest const& request, Quasiharmo
 }
 
 struct Solution {
-  std::optional<cg::HugoniotPoint> point;
+  std::optional<HugoniotPoint> point;
   bool enclosed = false; ///< by the temperatures of the states that it was found from
   std::string trouble;
 };
 
 /// The solution from states of one phase, the far ones left out.
-Solution solve(cg::MetalPoint const& initial, Points points, cg::Phase phase) {
+Solution solve(MetalPoint const& initial, Points points, Phase phase) {
   std::erase_if(points, [&](auto const& p) { return p.phase != phase; });
   if (points.size() < 2)
     return {.point = {},
             .enclosed = false,
             .trouble = fmt::format("{} states are {}", points.size(), name_of(phase))};
   try {
-    auto point = cg::solve_hugoniot(initial, points);
+    auto point = solve_hugoniot(initial, points);
     auto near = points;
     std::erase_if(near, [&](auto const& p) { return std::abs(p.state.T / point.T.mean - 1) > widest; });
     if (near.size() >= 2 && near.size() < points.size())
-      point = cg::solve_hugoniot(initial, near);
+      point = solve_hugoniot(initial, near);
     auto const colder = [](auto const& a, auto const& b) { return a.state.T < b.state.T; };
     auto const [low, high] = std::minmax_element(points.begin(), points.end(), colder);
     return {.point = point,
@@ -116,8 +113,8 @@ Solution solve(cg::MetalPoint const& initial, Points points, cg::Phase phase) {
 }
 
 /// One compression: its point, or what to sample for it, or why there is none.
-void solve_compression(cg::MetalPoint const& initial, double rho, QuasiharmonicMetal& metal, cg::Phase start,
-                       std::span<cg::MetalPoint const> known, HugoniotCurve& curve) {
+void solve_compression(MetalPoint const& initial, double rho, md::QuasiharmonicMetal& metal, Phase start,
+                       std::span<MetalPoint const> known, HugoniotCurve& curve) {
   auto const first = states_about(rho, metal.shocked(initial.state, rho).T, first_temperatures);
   std::vector<md::MetalState> missing;
   known_or_missing(first, known, missing);
@@ -127,7 +124,7 @@ void solve_compression(cg::MetalPoint const& initial, double rho, QuasiharmonicM
   Points points;
   std::copy_if(known.begin(), known.end(), std::back_inserter(points),
                [&](auto const& p) { return p.state.rho == rho; });
-  auto const other = start == cg::Phase::solid ? cg::Phase::liquid : cg::Phase::solid;
+  auto const other = start == Phase::solid ? Phase::liquid : Phase::solid;
   auto best = solve(initial, points, start);
   if (!best.enclosed)
     if (auto const second = solve(initial, points, other); second.enclosed || !best.point)
@@ -146,7 +143,7 @@ void solve_compression(cg::MetalPoint const& initial, double rho, QuasiharmonicM
                     best.point ? "the states at its solution change their phase" : best.trouble));
 }
 
-std::vector<double> densities_of(HugoniotRequest const& request, QuasiharmonicMetal& metal,
+std::vector<double> densities_of(HugoniotRequest const& request, md::QuasiharmonicMetal& metal,
                                  md::MetalState initial) {
   std::vector<double> densities;
   for (double compression : request.compressions)
@@ -159,52 +156,8 @@ std::vector<double> densities_of(HugoniotRequest const& request, QuasiharmonicMe
 
 } // namespace
 
-QuasiharmonicMetal::QuasiharmonicMetal(md::MpiWorld const& world, md::MetalSettings const& settings)
-    : crystal_(world, settings.potential, settings.lattice, settings.log_file, md::Log::append),
-      mass_(settings.potential.mass) {}
-
-double QuasiharmonicMetal::thermal_energy(double T) const {
-  return 3 * k_B * T / mass_;
-}
-
-double QuasiharmonicMetal::zero_pressure_density(double T) {
-  auto const ground = crystal_.at_zero_pressure();
-  double const c = crystal_.bulk_sound_speed(ground.rho);
-  return ground.rho * (1 - grueneisen * thermal_energy(T) / (c * c));
-}
-
-QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(md::MetalState initial, double rho) {
-  auto const cold0 = crystal_.at(initial.rho), cold = crystal_.at(rho);
-  double const P0 = cold0.P + grueneisen * initial.rho * thermal_energy(initial.T);
-  double const dv = 1 / initial.rho - 1 / rho;
-  double const part = 1 - grueneisen * rho * dv / 2;
-  double const thermal = ((cold.P + P0) * dv / 2 - (cold.e - cold0.e) + thermal_energy(initial.T)) / part;
-  if (!(part > 0.1 && thermal > 0 && cold.P > cold0.P))
-    throw PhysicsError(
-        fmt::format("no shocked state is to be expected at {:.1f} kg/m^3 from {:.1f} kg/m^3, {} K: "
-                    "choose a compression nearer to 1",
-                    rho, initial.rho, initial.T));
-  double const P = cold.P + grueneisen * rho * thermal;
-  return {.T = initial.T * thermal / thermal_energy(initial.T), .v_P = std::sqrt((P - P0) * dv)};
-}
-
-double QuasiharmonicMetal::compression(md::MetalState initial, double v_P) {
-  constexpr double weakest = 1.001, strongest = 1.7;
-  require(v_P > shocked(initial, weakest * initial.rho).v_P &&
-              v_P < shocked(initial, strongest * initial.rho).v_P,
-          "v_P [m/s]", v_P,
-          fmt::format("must be {:.0f} ... {:.0f}", shocked(initial, weakest * initial.rho).v_P,
-                      shocked(initial, strongest * initial.rho).v_P));
-  double low = weakest, high = strongest;
-  while (high - low > 1e-6) {
-    double const middle = (low + high) / 2;
-    (shocked(initial, middle * initial.rho).v_P < v_P ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
-HugoniotCurve plan_hugoniot(HugoniotRequest const& request, QuasiharmonicMetal& metal, cg::Phase start,
-                            std::span<cg::MetalPoint const> known) {
+HugoniotCurve plan_hugoniot(HugoniotRequest const& request, md::QuasiharmonicMetal& metal, Phase start,
+                            std::span<MetalPoint const> known) {
   HugoniotCurve curve;
   auto const rho0 = find_rho0(request, metal, known, curve.missing);
   if (!rho0)
@@ -226,4 +179,4 @@ HugoniotCurve plan_hugoniot(HugoniotRequest const& request, QuasiharmonicMetal& 
   return curve;
 }
 
-} // namespace mesobridge::workflows
+} // namespace mesobridge::cg

@@ -1,0 +1,24 @@
+#include "workflows/built_in.hpp"
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr BuiltIn tables[] = {
+#include "generated/built_in_tables.inc"
+};
+
+constexpr BuiltIn scenes[] = {
+#include "generated/built_in_scenes.inc"
+};
+
+} // namespace
+
+std::span<BuiltIn const> built_in_tables() {
+  return tables;
+}
+
+std::span<BuiltIn const> built_in_scenes() {
+  return scenes;
+}
+
+} // namespace mesobridge::workflows

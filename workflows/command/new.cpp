@@ -1,0 +1,90 @@
+#include "md/error.hpp"
+#include "workflows/built_in.hpp"
+#include "workflows/command/options.hpp"
+#include "workflows/nearest.hpp"
+#include "workflows/scene/keys.hpp"
+#include "workflows/terminal.hpp"
+#include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+namespace mesobridge::workflows {
+namespace {
+
+std::string name_of(BuiltIn const& scene) {
+  return std::filesystem::path(scene.name).stem().string();
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (auto const& scene : built_in_scenes())
+    all.push_back(name_of(scene));
+  return all;
+}
+
+std::string text_of(std::string const& name) {
+  for (auto const& scene : built_in_scenes())
+    if (name_of(scene) == name)
+      return std::string(scene.content);
+  throw InputError(fmt::format("unknown scene '{}'{}; known: {}", name, did_you_mean(name, names()),
+                               fmt::join(names(), ", ")));
+}
+
+std::string comment(std::string const& text) {
+  constexpr std::size_t columns = 98;
+  std::string lines = "# ";
+  for (char const c : wrapped(text, columns, 0))
+    lines += c == '\n' ? "\n# " : std::string(1, c);
+  return lines + "\n";
+}
+
+/// The lines of a scene, each key below its meaning and what it allows.
+std::string commented(std::string const& name) {
+  auto const text = text_of(name);
+  auto const units = parse_scene(text, name).units;
+  auto result = comment(fmt::format("The scene that `mesobridge new {}` writes. `mesobridge check` prints it "
+                                    "with every key that is left out here; `mesobridge check --keys` "
+                                    "explains them all.",
+                                    name));
+  std::string section;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("["))
+      section = line.substr(1, line.find(']') - 1);
+    for (auto const& key : scene_keys())
+      if (key.section == section && line.starts_with(key.name + " = "))
+        result += "\n" + comment(key.meaning) + comment(key.allowed(units));
+    result += line + "\n";
+  }
+  return result;
+}
+
+Result write_scene(std::string const& name, Context const& context) {
+  auto const text = commented(name);
+  auto const file = context.options.output.value_or(name + ".toml");
+  require(!std::filesystem::exists(std::filesystem::symlink_status(file)), "--output", file.string(),
+          "is there already: take another name, or remove it");
+  write_text_file(file, text);
+  return {.json = {{"file", file.string()}, {"scene", name}},
+          .text =
+              fmt::format("{0}\n`mesobridge check {0}` estimates what it costs, `mesobridge run {0}` runs it",
+                          file.string()),
+          .complaint = ""};
+}
+
+void declare(CLI::App& app, std::string& name) {
+  app.add_option("name", name, fmt::format("One of {}", fmt::join(names(), ", ")))
+      ->required()
+      ->type_name("NAME");
+}
+
+} // namespace
+
+Command new_command() {
+  return {.name = "new",
+          .summary = "Write a commented example scene",
+          .example = "mesobridge new argon-1000K -o my.toml",
+          .declare = with_options(declare, write_scene)};
+}
+
+} // namespace mesobridge::workflows

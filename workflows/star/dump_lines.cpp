@@ -1,0 +1,35 @@
+#include "workflows/star/dump_lines.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  std::vector<std::string_view> words;
+  for (auto begin = text.find_first_not_of(blanks); begin != text.npos;) {
+    auto const end = std::min(text.find_first_of(blanks, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+DumpLines::DumpLines(std::filesystem::path const& file) : file_(file), in_(file) {
+  if (!in_)
+    throw InputError(fmt::format("'{}' cannot be read", file.string()));
+}
+
+std::string const& DumpLines::next() {
+  if (!std::getline(in_, text_) || in_.eof())
+    throw EndOfFile();
+  ++number_;
+  if (text_.ends_with('\r'))
+    text_.pop_back();
+  return text_;
+}
+
+void DumpLines::refuse(std::string const& what) const {
+  throw InputError(fmt::format("{}:{}: {}", file_.string(), number_, what));
+}
+
+} // namespace mesobridge::workflows
