@@ -28,7 +28,7 @@ class Shifted : public FromIsochore<Shifted<E>> {
 
   /// Throws InputError when the shift is not finite.
   Shifted(E bulk, double shift) : bulk_(std::move(bulk)), shift_(shift) {
-    require_finite("shift of the energy", shift);
+    require(std::isfinite(shift), "shift of the energy", shift, "must be finite");
   }
 
   template <class X>

@@ -2,14 +2,34 @@
 
 namespace mesobridge::fitting {
 
-StiffenedGas::StiffenedGas(StiffenedGasParameters const& p) : p_(p) {
-  require(p.gamma > 1 && std::isfinite(p.gamma), "stiffened gas gamma", p.gamma, "must be > 1 and finite");
-  require(p.P_inf >= 0 && std::isfinite(p.P_inf), "stiffened gas P_inf", p.P_inf, "must be >= 0 and finite");
-  require_positive("stiffened gas c_v", p.c_v);
-  require_finite("stiffened gas q", p.q);
-  require_positive("stiffened gas m0", p.m0);
-  require(p.b >= 0 && std::isfinite(p.b), "stiffened gas b", p.b, "must be >= 0 and finite");
+Description<StiffenedGasParameters> const& StiffenedGas::description() {
+  using P = StiffenedGasParameters;
+  static Description<P> const description{
+      .kind = "stiffened-gas",
+      .material = "liquids (stiffened gas of Noble and Abel)",
+      .example = "",
+      .parameters = {{&P::gamma,
+                      "gamma",
+                      "",
+                      "ratio of the heat capacities",
+                      {1, false, "must be > 1 and finite"},
+                      fixed(1.2)},
+                     {&P::P_inf, "P_inf", "Pa", "inner pressure", not_negative, fixed(1e9)},
+                     {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive, fixed(3000)},
+                     {&P::q, "q", "J/kg", "zero of the energy", any_number, fixed(0)},
+                     {&P::m0, "m0", "kg", "mass of one molecule", positive, fixed(atomic_mass)},
+                     {&P::b, "b", "m^3/kg", "volume of the molecules themselves", not_negative, fixed(0),
+                      0.0}},
+      .materials = {
+          {"water",
+           "liquid water, 940 to 1170 kg/m^3 and 280 to 350 K (there its density is within 3 %), stiffened "
+           "gas "
+           "of Noble and Abel (Le Metayer and Saurel 2016), 0.1 MPa and 1500 m/s at 997 kg/m^3 and 300 K, SI",
+           water_parameters, UsableRange{940, 1170, 280, 350}}}};
+  return description;
 }
+
+StiffenedGas::StiffenedGas(StiffenedGasParameters const& p) : p_(checked<StiffenedGas>(p)) {}
 
 Domain StiffenedGas::domain() const {
   double const infinity = std::numeric_limits<double>::infinity();

@@ -1,12 +1,14 @@
 #include "workflows/command/list.hpp"
 #include "workflows/command/studies.hpp"
 #include "workflows/command/star_commands.hpp"
+#include "workflows/eos_fit/fit_command.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 
 // clang-format off
 std::vector<Command> commands() {
-  return {
+  std::vector<Command> list{
       md_lj_grid_command(),
       md_metal_grid_command(),
       md_hugoniot_command(),
@@ -17,9 +19,6 @@ std::vector<Command> commands() {
       cg_correlations_command(),
       cg_entropy_command(),
       fit_lj_bwr_command(),
-      fit_mie_gruneisen_command(),
-      fit_hz_command(),
-      fit_jwl_command(),
       fit_dpde_command(),
       eos_eval_command(),
       eos_list_command(),
@@ -42,6 +41,11 @@ std::vector<Command> commands() {
       bench_blobs_command(),
       doctor_command(),
   };
+  // One more for every equation of state that can be fitted.
+  auto place = std::ranges::find(list, "fit lj-bwr", &Command::name);
+  for (auto const& kind : fitting::fittable_kinds())
+    place = list.insert(place + 1, fit_kind_command(kind));
+  return list;
 }
 // clang-format on
 

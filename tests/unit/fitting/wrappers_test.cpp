@@ -68,7 +68,7 @@ TEST(CentreOfMassFree, AndTheCentreOfMassMakeTheBulk) {
     std::visit([](auto const& eos) { check_parts(eos, 7); }, material.eos);
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 TEST(CentreOfMassFree, RefusesEnergiesBelowItsColdest) {
