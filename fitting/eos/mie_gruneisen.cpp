@@ -10,6 +10,7 @@ namespace mesobridge::fitting {
 Description<MieGruneisenParameters> const& MieGruneisen::description() {
   using P = MieGruneisenParameters;
   constexpr auto rho_start = &DataSummary::rho_start;
+  constexpr Allowed above_minus_1{-1, false, "must be > -1 and finite"};
   static Description<P> const description{
       .kind = "mie-gruneisen",
       .material = "metals and liquids under shock (Mie-Gruneisen)",
@@ -27,12 +28,7 @@ Description<MieGruneisenParameters> const& MieGruneisen::description() {
            {&P::rho_s, "rho_s", "kg/m^3", "density where the reference curve has no pressure", positive,
             fitted({1, rho_start}, {0.7, rho_start}, {1.2, rho_start})},
            {&P::K_s, "K_s", "Pa", "bulk modulus there", positive, fitted(5e10, 1e8, 2e12).by_logarithm()},
-           {&P::N_s,
-            "N_s",
-            "",
-            "its pressure derivative",
-            {-1, false, "must be > -1 and finite"},
-            fitted(4, 0.5, 20)},
+           {&P::N_s, "N_s", "", "its pressure derivative", above_minus_1, fitted(4, 0.5, 20)},
            {&P::m0, "m0", "kg", "mass of one atom; no data of these kinds tell it", positive,
             fixed(atomic_mass)}},
       .materials = {
