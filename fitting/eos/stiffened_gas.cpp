@@ -1,25 +1,27 @@
 #include "fitting/eos/stiffened_gas.hpp"
+#include "fitting/data_summary.hpp"
 
 namespace mesobridge::fitting {
 
+/// Data do not tell q from energy_offset: q stays fixed. The molecules leave some of the densest volume free.
 Description<StiffenedGasParameters> const& StiffenedGas::description() {
   using P = StiffenedGasParameters;
+  constexpr auto v_min = &DataSummary::v_min;
+  constexpr Allowed above_1{1, false, "must be > 1 and finite"};
   static Description<P> const description{
       .kind = "stiffened-gas",
       .material = "liquids (stiffened gas of Noble and Abel)",
-      .example = "",
-      .parameters = {{&P::gamma,
-                      "gamma",
-                      "",
-                      "ratio of the heat capacities",
-                      {1, false, "must be > 1 and finite"},
-                      fixed(1.2)},
-                     {&P::P_inf, "P_inf", "Pa", "inner pressure", not_negative, fixed(1e9)},
-                     {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive, fixed(3000)},
+      .example = "states.csv --m0 \"18.015 u\" -o out/liquid.toml",
+      .parameters = {{&P::gamma, "gamma", "", "ratio of the heat capacities", above_1, fitted(1.5, 1.01, 8)},
+                     {&P::P_inf, "P_inf", "Pa", "inner pressure", not_negative,
+                      fitted(1e9, 1e6, 1e11).by_logarithm()},
+                     {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive,
+                      fitted(2000, 20, 1e4).by_logarithm()},
                      {&P::q, "q", "J/kg", "zero of the energy", any_number, fixed(0)},
-                     {&P::m0, "m0", "kg", "mass of one molecule", positive, fixed(atomic_mass)},
-                     {&P::b, "b", "m^3/kg", "volume of the molecules themselves", not_negative, fixed(0),
-                      0.0}},
+                     {&P::m0, "m0", "kg", "mass of one molecule; no data of these kinds tell it", positive,
+                      fixed(atomic_mass)},
+                     {&P::b, "b", "m^3/kg", "volume of the molecules themselves", not_negative,
+                      fitted({0.5, v_min}, 0, {0.95, v_min}), 0.0}},
       .materials = {
           {"water",
            "liquid water, 940 to 1170 kg/m^3 and 280 to 350 K (there its density is within 3 %), stiffened "
