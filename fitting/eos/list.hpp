@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/davis.hpp"
 #include "fitting/eos/hz.hpp"
 #include "fitting/eos/ideal_gas.hpp"
 #include "fitting/eos/jwl.hpp"
@@ -18,7 +19,8 @@ namespace mesobridge::fitting {
 
 /// Every equation of state; files, fits, commands and the generic tests run over this list. Choose once by
 /// std::visit, outside the loop.
-using AnyEos = std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, StiffenedGas, LjKolafaNezbeda, LjThol>;
+using AnyEos =
+    std::variant<IdealGas, LjBwr, MieGruneisen, Hz, Jwl, Davis, StiffenedGas, LjKolafaNezbeda, LjThol>;
 
 /// Calls f.operator()<Model>() for every model of the list that describes itself, in the list's order.
 template <class F>
