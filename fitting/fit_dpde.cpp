@@ -1,5 +1,5 @@
 #include "fitting/fit_dpde.hpp"
-#include "md/error.hpp"
+#include "fitting/root.hpp"
 #include <cmath>
 #include <sstream>
 #include <toml++/toml.h>
@@ -7,7 +7,7 @@
 namespace mesobridge::fitting {
 namespace {
 
-/// The energy at which the curve has a temperature inside its sampled range, by bisection: T rises with U.
+/// The energy at which the curve has a temperature inside its sampled range: T rises with U.
 double energy_at(cg::EntropyCurve const& curve, double T) {
   double low = curve.U_low(), high = curve.U_high();
   // Curves of which blocks were left out reach a little less or more: they go on with constant C.
@@ -15,11 +15,7 @@ double energy_at(cg::EntropyCurve const& curve, double T) {
     high *= 1.1;
   while (curve.T(low) > T)
     low = 0.5 * (low + curve.U_zero());
-  for (int step = 0; step < 200 && high - low > 1e-14 * high; ++step) {
-    double const middle = 0.5 * (low + high);
-    (curve.T(middle) < T ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return bracketed_zero([&](double U) { return curve.T(U) - T; }, low, high);
 }
 
 std::vector<std::vector<double>> jackknife_covariance(cg::EntropyFit const& fit,

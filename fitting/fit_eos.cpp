@@ -1,6 +1,7 @@
 #include "fitting/fit_eos.hpp"
+#include "fitting/data_summary.hpp"
 #include "fitting/eos_problem.hpp"
-#include "fitting/fit_family.hpp"
+#include "md/error.hpp"
 #include <algorithm>
 
 namespace mesobridge::fitting {

@@ -71,10 +71,6 @@ struct EosFit {
   double value(Observation const& observation, Quantity quantity) const;
 };
 
-EosFamily mie_gruneisen_family(std::span<Observation const> data);
-EosFamily hz_family(std::span<Observation const> data);
-EosFamily jwl_family(std::span<Observation const> data);
-
 /// Weighted least squares. Errors of P and e may be correlated; errors of given quantities count by the slope
 /// of the model (effective variance), renewed with the fit until they agree.
 ///

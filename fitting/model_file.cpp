@@ -1,6 +1,5 @@
 #include "fitting/model_file.hpp"
 #include "fitting/eos/lj_bwr_stability.hpp"
-#include "fitting/parametric_file.hpp"
 #include "fitting/toml_reader.hpp"
 #include "fitting/toml_text.hpp"
 #include <algorithm>
@@ -40,12 +39,12 @@ std::string body(LjBwr const& lj) {
   return text + units_text(lj.units());
 }
 
-template <ParametricModel Model>
+template <DescribedModel Model>
 std::string body(Model const& model) {
-  using Form = FileForm<Model>;
-  std::string text = fmt::format("kind = \"{}\"\n\n[{}]\n", Form::kind, Form::table);
-  for (auto const& key : Form::keys)
-    text += fmt::format("{} = {}\n", key.name, exact(model.parameters().*key.member));
+  auto const& description = Model::description();
+  std::string text = fmt::format("kind = \"{}\"\n\n[{}]\n", description.kind, description.table());
+  for (auto const& parameter : description.parameters)
+    text += fmt::format("{} = {}\n", parameter.key(), exact(model.parameters().*parameter.member));
   return text;
 }
 
@@ -121,13 +120,16 @@ LjBwr read_lj_bwr(TomlReader& file) {
   return eos;
 }
 
-template <ParametricModel Model>
-Model read_parametric(TomlReader& file) {
-  auto table = file.table(FileForm<Model>::table);
-  typename FileForm<Model>::P parameters{};
-  for (auto const& key : FileForm<Model>::keys)
-    parameters.*key.member =
-        key.if_missing && !table.has(key.name) ? *key.if_missing : table.number(key.name);
+template <DescribedModel Model>
+Model read_described(TomlReader& file) {
+  auto const& description = Model::description();
+  auto table = file.table(description.table());
+  typename Model::Parameters parameters{};
+  for (auto const& parameter : description.parameters) {
+    auto const key = parameter.key();
+    parameters.*parameter.member =
+        parameter.if_missing && !table.has(key) ? *parameter.if_missing : table.number(key);
+  }
   table.refuse_unknown();
   return Model(parameters);
 }
@@ -143,14 +145,14 @@ Eigen::MatrixXd read_triangle(TomlReader& table, std::size_t size) {
   return L;
 }
 
-/// Keys of the parameters of a model that is a plain struct of numbers; none for the others.
+/// Keys of the parameters of a model that describes itself; none for the others.
 std::vector<std::string> parameter_keys(AnyEos const& any) {
   return std::visit(
       []<class Model>(Model const&) {
         std::vector<std::string> keys;
-        if constexpr (ParametricModel<Model>)
-          for (auto const& key : FileForm<Model>::keys)
-            keys.emplace_back(key.name);
+        if constexpr (DescribedModel<Model>)
+          for (auto const& parameter : Model::description().parameters)
+            keys.push_back(parameter.key());
         return keys;
       },
       any);
@@ -177,19 +179,6 @@ ValidRange read_valid(TomlReader table, bool reduced) {
   return v;
 }
 
-/// The model of that kind, if it is one of these; otherwise their kinds are appended to `kinds`.
-template <ParametricModel... Models>
-std::optional<AnyEos> read_if_parametric(TomlReader& file, std::string_view kind, std::string& kinds) {
-  std::optional<AnyEos> found;
-  auto const attempt = [&]<class Model>(std::type_identity<Model>) {
-    if (kind == FileForm<Model>::kind)
-      found = read_parametric<Model>(file);
-    kinds += fmt::format(", \"{}\"", FileForm<Model>::kind);
-  };
-  (attempt(std::type_identity<Models>{}), ...);
-  return found;
-}
-
 AnyEos read_eos(TomlReader& file, toml::table const& table) {
   auto const kind = file.text("kind");
   if (kind == "ideal-gas")
@@ -201,8 +190,14 @@ AnyEos read_eos(TomlReader& file, toml::table const& table) {
   if (kind == "lj-thol")
     return LjThol(read_units(file));
   std::string kinds = "\"ideal-gas\", \"lj-bwr\", \"lj-kn\", \"lj-thol\"";
-  if (auto const eos = read_if_parametric<MieGruneisen, Hz, Jwl, StiffenedGas>(file, kind, kinds))
-    return *eos;
+  std::optional<AnyEos> described;
+  for_each_described_model([&]<class Model>() {
+    if (kind == Model::description().kind)
+      described = read_described<Model>(file);
+    kinds += fmt::format(", \"{}\"", Model::description().kind);
+  });
+  if (described)
+    return *described;
   file.refuse(*table.get("kind"), "kind", fmt::format("must be one of {}", kinds));
 }
 

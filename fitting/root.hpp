@@ -1,5 +1,6 @@
 #pragma once
 #include "md/error.hpp"
+#include <algorithm>
 #include <limits>
 #include <optional>
 

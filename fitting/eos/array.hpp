@@ -1,6 +1,6 @@
 #pragma once
 #include "fitting/eos/linear_isochore.hpp"
-#include "fitting/eos/pack.hpp"
+#include "fitting/simd/pack.hpp"
 #include <algorithm>
 #include <span>
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/description.hpp"
 #include "fitting/eos/linear_isochore.hpp"
 
 namespace mesobridge::fitting {
@@ -33,7 +34,9 @@ inline constexpr HzParameters nitromethane_parameters{.Gamma_0 = 1,
 /// At rho_0 the third derivative of E_ref jumps; P and its first derivatives are continuous.
 class Hz : public LinearEos<Hz> {
  public:
+  using Parameters = HzParameters;
   static constexpr std::string_view name = "HZ";
+  static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
   explicit Hz(HzParameters const& parameters);

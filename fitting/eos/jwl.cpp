@@ -1,26 +1,55 @@
 #include "fitting/eos/jwl.hpp"
+#include "fitting/data_summary.hpp"
 
 namespace mesobridge::fitting {
 namespace {
 
+constexpr Allowed below_impedance{0, false, "must lie between 0 and rho_0 D_CJ^2"};
+
 JwlParameters const& valid(JwlParameters const& p) {
-  require_positive("JWL Gamma_0", p.Gamma_0);
-  require_positive("JWL rho_0", p.rho_0);
-  require_finite("JWL E_0", p.E_0);
-  require_positive("JWL D_CJ", p.D_CJ);
-  require(p.P_CJ > 0 && p.P_CJ < p.rho_0 * p.D_CJ * p.D_CJ, "JWL P_CJ", p.P_CJ,
-          "must lie between 0 and rho_0 D_CJ^2");
-  require_positive("JWL T_CJ", p.T_CJ);
-  require_positive("JWL c_v", p.c_v);
-  require_finite("JWL a", p.a);
-  require_finite("JWL b", p.b);
-  require_positive("JWL R_1", p.R_1);
-  require_positive("JWL R_2", p.R_2);
-  require_positive("JWL m0", p.m0);
+  require(checked<Jwl>(p).P_CJ < p.rho_0 * p.D_CJ * p.D_CJ, "JWL P_CJ", p.P_CJ, below_impedance.text);
   return p;
 }
 
 } // namespace
+
+/// (D_CJ, P_CJ, T_CJ) set two constants, K and C_ek: one of the three is redundant. A different P_CJ only
+/// names another state of the same Crussard curve, and at the true one, where the Rayleigh line touches that
+/// curve, even D_CJ does not notice: P_CJ stays fixed (at the measured one, if there is). E_0 and
+/// energy_offset shift C_ek too and stay fixed, E_0 at the energy of the detonation among the data, if there
+/// is one; so does rho_0, the unit of density. R_1 and R_2 have bounds that do not overlap, or the two
+/// exponentials could change places.
+Description<JwlParameters> const& Jwl::description() {
+  using P = JwlParameters;
+  using Data = DataSummary;
+  static Description<P> const description{
+      .kind = "jwl",
+      .material = "detonation products (Jones-Wilkins-Lee)",
+      .example = "expansion.csv cj.csv --m0 \"61.04 u\" -o out/products.toml",
+      .knows_energy_zero = true,
+      .parameters =
+          {{&P::Gamma_0, "Gamma_0", "", "Gruneisen parameter", positive, fitted(0.3, 0.05, 2)},
+           {&P::rho_0, "rho_0", "kg/m^3", "density of the explosive, unit of the exponents", positive,
+            fixed({1, &Data::rho_start})},
+           {&P::E_0, "E_0", "J/kg", "energy of the explosive", any_number, fixed({1, &Data::e_explosive})},
+           {&P::D_CJ, "D_CJ", "m/s", "detonation velocity: with P_CJ and T_CJ it sets K and C_ek", positive,
+            fitted({1, &Data::D_CJ}, 1e3, 1.2e4)},
+           {&P::P_CJ, "P_CJ", "Pa", "Chapman-Jouguet pressure", below_impedance,
+            fixed({1, &Data::P_CJ}, 1e9, 6e10).by_logarithm()},
+           {&P::T_CJ, "T_CJ", "K", "Chapman-Jouguet temperature", positive, fitted(3000, 300, 1.2e4)},
+           {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive, fitted(2000, 200, 1e4).by_logarithm()},
+           {&P::a, "a", "Pa", "first exponential", any_number,
+            fitted(3e11, 1e10, 1e13).by_logarithm().nearly_linear()},
+           {&P::b, "b", "Pa", "second exponential", any_number,
+            fitted(5e9, 1e8, 1e11).by_logarithm().nearly_linear()},
+           {&P::R_1, "R_1", "", "its decay with rho_0/rho", positive, fitted(4.5, 3, 10)},
+           {&P::R_2, "R_2", "", "its decay with rho_0/rho", positive, fitted(1.2, 0.3, 2.9)},
+           {&P::m0, "m0", "kg", "mass of one molecule; no data of these kinds tell it", positive,
+            fixed(atomic_mass)}},
+      .materials = {{"nitromethane-products", "its detonation products, JWL (thesis, Table 6.3), SI",
+                     nitromethane_products_parameters}}};
+  return description;
+}
 
 Jwl::Jwl(JwlParameters const& parameters) : p_(valid(parameters)), log_rho_0_(std::log(p_.rho_0)) {
   double const impedance = p_.rho_0 * p_.D_CJ * p_.D_CJ;

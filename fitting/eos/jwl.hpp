@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/description.hpp"
 #include "fitting/eos/linear_isochore.hpp"
 
 namespace mesobridge::fitting {
@@ -39,7 +40,9 @@ inline constexpr JwlParameters nitromethane_products_parameters{.Gamma_0 = 0.3,
 /// The logarithm of the density is of the number in kg/m^3.
 class Jwl : public LinearEos<Jwl> {
  public:
+  using Parameters = JwlParameters;
   static constexpr std::string_view name = "JWL";
+  static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
   explicit Jwl(JwlParameters const& parameters);

@@ -123,12 +123,4 @@ class LinearEos : public FromIsochore<Model> {
   Model const& model() const { return static_cast<Model const&>(*this); }
 };
 
-/// Validation of the parameters of models.
-inline void require_positive(std::string_view quantity, double value) {
-  require(value > 0 && std::isfinite(value), quantity, value, "must be > 0 and finite");
-}
-inline void require_finite(std::string_view quantity, double value) {
-  require(std::isfinite(value), quantity, value, "must be finite");
-}
-
 } // namespace mesobridge::fitting

@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/description.hpp"
 #include "fitting/eos/linear_isochore.hpp"
 
 namespace mesobridge::fitting {
@@ -40,7 +41,9 @@ inline constexpr MieGruneisenParameters tin_parameters{.Gamma_0 = 2.8,
 ///   Theta = Theta_0 (rho/rho_0)^Gamma_inf exp[(Gamma_0 - Gamma_inf)/q (1 - (rho_0/rho)^q)].
 class MieGruneisen : public LinearEos<MieGruneisen> {
  public:
+  using Parameters = MieGruneisenParameters;
   static constexpr std::string_view name = "Mie-Gruneisen";
+  static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
   explicit MieGruneisen(MieGruneisenParameters const& parameters);

@@ -45,6 +45,8 @@ struct MixtureState {
 /// thinned out to a gas that they say nothing about (HZ keeps a pressure of GPa at zero density and thousands
 /// of K). Of several equilibria it finds the one with the densest reactant; a guess leads to the one nearby.
 /// PhysicsError where there is none: hot products of low pressure cannot balance such a reactant.
+///
+/// No scene and no command reaches it yet: it waits for particles that react.
 template <EquationOfState Reactant, EquationOfState Product>
 class Mixture {
  public:

@@ -1,7 +1,7 @@
 #pragma once
 #include "fitting/eos/linear_isochore.hpp"
 #include "fitting/eos/monotone_root.hpp"
-#include "fitting/eos/pack.hpp"
+#include "fitting/simd/pack.hpp"
 
 /// Isochores of a register full of densities. They do not look at their arguments: covers(eos, rho, T) tells
 /// the lanes that mean something, and the others go the careful way of one state at a time. A lane's results

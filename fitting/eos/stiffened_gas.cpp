@@ -1,15 +1,37 @@
 #include "fitting/eos/stiffened_gas.hpp"
+#include "fitting/data_summary.hpp"
 
 namespace mesobridge::fitting {
 
-StiffenedGas::StiffenedGas(StiffenedGasParameters const& p) : p_(p) {
-  require(p.gamma > 1 && std::isfinite(p.gamma), "stiffened gas gamma", p.gamma, "must be > 1 and finite");
-  require(p.P_inf >= 0 && std::isfinite(p.P_inf), "stiffened gas P_inf", p.P_inf, "must be >= 0 and finite");
-  require_positive("stiffened gas c_v", p.c_v);
-  require_finite("stiffened gas q", p.q);
-  require_positive("stiffened gas m0", p.m0);
-  require(p.b >= 0 && std::isfinite(p.b), "stiffened gas b", p.b, "must be >= 0 and finite");
+/// Data do not tell q from energy_offset: q stays fixed. The molecules leave some of the densest volume free.
+Description<StiffenedGasParameters> const& StiffenedGas::description() {
+  using P = StiffenedGasParameters;
+  constexpr auto v_min = &DataSummary::v_min;
+  constexpr Allowed above_1{1, false, "must be > 1 and finite"};
+  static Description<P> const description{
+      .kind = "stiffened-gas",
+      .material = "liquids (stiffened gas of Noble and Abel)",
+      .example = "states.csv --m0 \"18.015 u\" -o out/liquid.toml",
+      .parameters = {{&P::gamma, "gamma", "", "ratio of the heat capacities", above_1, fitted(1.5, 1.01, 8)},
+                     {&P::P_inf, "P_inf", "Pa", "inner pressure", not_negative,
+                      fitted(1e9, 1e6, 1e11).by_logarithm()},
+                     {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive,
+                      fitted(2000, 20, 1e4).by_logarithm()},
+                     {&P::q, "q", "J/kg", "zero of the energy", any_number, fixed(0)},
+                     {&P::m0, "m0", "kg", "mass of one molecule; no data of these kinds tell it", positive,
+                      fixed(atomic_mass)},
+                     {&P::b, "b", "m^3/kg", "volume of the molecules themselves", not_negative,
+                      fitted({0.5, v_min}, 0, {0.95, v_min}), 0.0}},
+      .materials = {
+          {"water",
+           "liquid water, 940 to 1170 kg/m^3 and 280 to 350 K (there its density is within 3 %), stiffened "
+           "gas "
+           "of Noble and Abel (Le Metayer and Saurel 2016), 0.1 MPa and 1500 m/s at 997 kg/m^3 and 300 K, SI",
+           water_parameters, UsableRange{940, 1170, 280, 350}}}};
+  return description;
 }
+
+StiffenedGas::StiffenedGas(StiffenedGasParameters const& p) : p_(checked<StiffenedGas>(p)) {}
 
 Domain StiffenedGas::domain() const {
   double const infinity = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/description.hpp"
 #include "fitting/eos/linear_isochore.hpp"
 
 namespace mesobridge::fitting {
@@ -25,7 +26,9 @@ inline constexpr StiffenedGasParameters water_parameters{
 /// The logarithms are of the numbers in K and m^3/kg.
 class StiffenedGas : public LinearEos<StiffenedGas> {
  public:
+  using Parameters = StiffenedGasParameters;
   static constexpr std::string_view name = "stiffened gas";
+  static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
   explicit StiffenedGas(StiffenedGasParameters const& parameters);

@@ -1,5 +1,5 @@
 #pragma once
-#include "fitting/eos/pack.hpp"
+#include "fitting/simd/pack.hpp"
 #include <array>
 #include <cmath>
 #include <complex>

@@ -10,13 +10,6 @@ using WideFloats [[gnu::vector_size(64)]] = float;
 using WideInts [[gnu::vector_size(64)]] = std::int32_t;
 using WideBits [[gnu::vector_size(64)]] = std::uint32_t;
 
-/// The same bits, read as another type.
-template <class To, class From>
-[[gnu::always_inline]] inline To reinterpret(From const& from) {
-  static_assert(sizeof(To) == sizeof(From));
-  return load<To>(&from);
-}
-
 [[gnu::always_inline]] inline WideFloats join(FloatLanes const& low, FloatLanes const& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }

@@ -1,6 +1,5 @@
-#include "fitting/eos/evaluate.hpp"
+#include "fitting/eos/array.hpp"
 #include "fitting/eos/list.hpp"
-#include "fitting/eos/tabulated.hpp"
 #include "workflows/command/options.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -86,11 +85,6 @@ Json times_of(E const& eos, Options const& options, std::uint64_t seed) {
            each([&](auto i) { return eos.energy_from_temperature(states.T[i], states.rho[i]); })}};
 }
 
-constexpr std::string_view table_name = "lj-table";
-/// A table of `lj`, above the kink where its low-temperature continuation begins.
-constexpr fitting::TableRegion table_region{.rho_min = 0.3, .rho_max = 1.2, .T_min = 0.85, .T_max = 50};
-constexpr double table_error = 1e-8;
-
 void append(Result& result, std::string const& name, Json const& times) {
   result.json["ns_per_call"][name] = times;
   result.text += name + "\n";
@@ -98,28 +92,8 @@ void append(Result& result, std::string const& name, Json const& times) {
     result.text += fmt::format("  {:<24} {:10.2f} ns\n", call, time.get<double>());
 }
 
-void append_table(Result& result, Options const& options, std::uint64_t seed) {
-  auto const begin = std::chrono::steady_clock::now();
-  auto const table =
-      std::visit([](auto const& eos) { return fitting::Tabulated::of(eos, table_region, table_error); },
-                 fitting::material("lj").eos);
-  std::chrono::duration<double> const built = std::chrono::steady_clock::now() - begin;
-  append(result, std::string(table_name), times_of(table, options, seed));
-  auto const& error = table.accuracy();
-  int const cells = table.table().y.cells;
-  result.json["table"] = {{"of", "lj"},
-                          {"cells", {table.table().density.cells, cells}},
-                          {"build_s", built.count()},
-                          {"relative_error_T", error.T},
-                          {"relative_error_P", error.P},
-                          {"relative_error_C", error.C}};
-  result.text +=
-      fmt::format("  {} x {} cells, built in {:.2f} s; relative errors: T {:.1e}, P {:.1e}, c_v {:.1e}\n",
-                  table.table().density.cells, cells, built.count(), error.T, error.P, error.C);
-}
-
 Result run(Options const& options, Context const& context) {
-  if (!options.model.empty() && options.model != table_name)
+  if (!options.model.empty())
     fitting::material(options.model); // refuses unknown names
   auto const seed = context.options.seed.value_or(1);
   Result result;
@@ -127,15 +101,13 @@ Result run(Options const& options, Context const& context) {
     if (options.model.empty() || options.model == material.name)
       append(result, material.name,
              std::visit([&](auto const& eos) { return times_of(eos, options, seed); }, material.eos));
-  if (options.model.empty() || options.model == table_name)
-    append_table(result, options, seed);
   result.json["states"] = options.states;
   result.json["repeats"] = options.repeats;
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--model", options.model, "one name of `eos list`, or lj-table, instead of all");
+  app.add_option("--model", options.model, "one name of `eos list` instead of all");
   app.add_option("--states", options.states, "states of one array")
       ->check(CLI::Range(1, 10000000))
       ->capture_default_str();

@@ -1,4 +1,6 @@
 #include "workflows/command/list.hpp"
+#include "workflows/eos_fit/fit_command.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 
@@ -13,9 +15,6 @@ Command cg_blobs_command();
 Command cg_correlations_command();
 Command cg_entropy_command();
 Command fit_lj_bwr_command();
-Command fit_mie_gruneisen_command();
-Command fit_hz_command();
-Command fit_jwl_command();
 Command fit_dpde_command();
 Command eos_eval_command();
 Command eos_list_command();
@@ -40,7 +39,7 @@ Command bench_blobs_command();
 Command doctor_command();
 
 std::vector<Command> commands() {
-  return {
+  std::vector<Command> list{
       md_lj_grid_command(),
       md_metal_grid_command(),
       md_hugoniot_command(),
@@ -51,9 +50,6 @@ std::vector<Command> commands() {
       cg_correlations_command(),
       cg_entropy_command(),
       fit_lj_bwr_command(),
-      fit_mie_gruneisen_command(),
-      fit_hz_command(),
-      fit_jwl_command(),
       fit_dpde_command(),
       eos_eval_command(),
       eos_list_command(),
@@ -77,6 +73,11 @@ std::vector<Command> commands() {
       bench_blobs_command(),
       doctor_command(),
   };
+  // One more for every equation of state that can be fitted.
+  auto place = std::ranges::find(list, "fit lj-bwr", &Command::name);
+  for (auto const& kind : fitting::fittable_kinds())
+    place = list.insert(place + 1, fit_kind_command(kind));
+  return list;
 }
 
 } // namespace mesobridge::workflows

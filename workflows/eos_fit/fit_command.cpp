@@ -139,12 +139,12 @@ std::map<std::string, std::string> model_provenance(fitting::EosFit const& fit, 
           {"energy_offset_J_kg", fmt::format("{}", fit.energy_offset)}};
 }
 
-Result run(FitFamily const& family, Options const& options, Context const& context) {
+Result run(fitting::FittableKind const& kind, Options const& options, Context const& context) {
   auto const settings = fit_options(options, context);
   auto const data = read_all(options);
   for (auto const& note : data.notes)
     context.log->info(note);
-  auto const fit = fitting::fit_eos(family.family(data.observations), data.observations, settings);
+  auto const fit = fitting::fit_eos(kind.family(data.observations), data.observations, settings);
   for (auto const& sentence : fit.outcome.undetermined())
     context.log->warn(sentence);
   if (!fit.outcome.converged)
@@ -152,7 +152,7 @@ Result run(FitFamily const& family, Options const& options, Context const& conte
   if (auto const complaint = bad_fit(fit.outcome))
     context.log->warn(*complaint);
   throw_if_interrupted();
-  auto const file = context.options.output.value_or(family.name + ".toml");
+  auto const file = context.options.output.value_or(kind.name + ".toml");
   auto report = file;
   report.replace_extension(".html");
   if (!file.parent_path().empty())
@@ -205,14 +205,14 @@ void declare_options(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command fit_family_command(FitFamily const& family) {
-  return {.name = "fit " + family.name,
-          .summary = "Fit the equation of state of " + family.material + " to data",
-          .example = family.example,
-          .declare = [family](CLI::App& app) -> Command::Action {
+Command fit_kind_command(fitting::FittableKind const& kind) {
+  return {.name = "fit " + kind.name,
+          .summary = "Fit the equation of state of " + kind.material + " to data",
+          .example = "mesobridge fit " + kind.name + " " + kind.example,
+          .declare = [kind](CLI::App& app) -> Command::Action {
             auto options = std::make_shared<Options>();
             declare_options(app, *options);
-            return [family, options](Context& context) { return run(family, *options, context); };
+            return [kind, options](Context& context) { return run(kind, *options, context); };
           }};
 }
 

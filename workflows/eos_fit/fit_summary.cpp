@@ -148,17 +148,16 @@ std::optional<FittedRest> fitted_rest(EosFit const& fit) {
 }
 
 std::optional<FittedDetonation> fitted_detonation(EosFit const& fit) {
-  auto const* const jwl = std::get_if<fitting::Jwl>(&fit.eos);
-  if (!jwl)
-    return std::nullopt;
-  fitting::Observation cj{.path = fitting::DataPath::cj,
-                          .start = fitting::StartState{.rho = jwl->parameters().rho_0,
-                                                       .e = jwl->parameters().E_0 + fit.energy_offset,
-                                                       .P = 0.0}};
+  std::optional<fitting::StartState> explosive;
+  if (auto const* const jwl = std::get_if<fitting::Jwl>(&fit.eos))
+    explosive = {.rho = jwl->parameters().rho_0, .e = jwl->parameters().E_0 + fit.energy_offset, .P = 0.0};
   for (auto const& fitted : fit.observations)
     if (fitted.observation.path == fitting::DataPath::cj)
-      cj.start = fitted.observation.start;
-  return FittedDetonation{.explosive = *cj.start,
+      explosive = fitted.observation.start;
+  if (!explosive)
+    return std::nullopt;
+  fitting::Observation const cj{.path = fitting::DataPath::cj, .start = explosive};
+  return FittedDetonation{.explosive = *explosive,
                           .D = fit.estimate(cj, Quantity::v_S),
                           .rho = fit.estimate(cj, Quantity::rho),
                           .P = fit.estimate(cj, Quantity::P),

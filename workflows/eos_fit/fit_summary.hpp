@@ -13,8 +13,8 @@ Json eos_fit_json(fitting::EosFit const& fit);
 /// The same in a table for people.
 std::string eos_fit_text(fitting::EosFit const& fit);
 
-/// The Chapman-Jouguet state of a fitted JWL model: from the explosive of the data, where a row of kind `cj`
-/// gives one, or else from the model's own (rho_0, E_0, P = 0).
+/// The Chapman-Jouguet state of a fitted model: from the explosive of the data, where a row of kind `cj`
+/// gives one, or else from that of the JWL model itself (rho_0, E_0, P = 0); nothing for others.
 struct FittedDetonation {
   fitting::StartState explosive; ///< e on the data's scale
   cg::Estimate D, rho, P, T;

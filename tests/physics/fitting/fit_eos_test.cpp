@@ -1,3 +1,4 @@
+#include "fitting/fit_family.hpp"
 #include "unit/fitting/synthetic_eos_data.hpp"
 #include <gtest/gtest.h>
 
@@ -96,25 +97,25 @@ Jwl const products(nitromethane_products_parameters);
 EosFitOptions const from_the_start{.search = {.global_evaluations = 0}};
 
 TEST(FitEos, RecoversMieGruneisenWithHonestErrors) {
-  auto const coverage = covered(tin, mie_gruneisen_family, from_the_start, 100, measure_tin);
+  auto const coverage = covered(tin, family_of<MieGruneisen>, from_the_start, 100, measure_tin);
   coverage.print("Mie-Gruneisen");
   expect_honest(coverage, 100);
 }
 
 TEST(FitEos, RecoversHzWithHonestErrors) {
-  auto const coverage = covered(nitromethane, hz_family, from_the_start, 100, measure_nitromethane);
+  auto const coverage = covered(nitromethane, family_of<Hz>, from_the_start, 100, measure_nitromethane);
   coverage.print("HZ");
   expect_honest(coverage, 100);
 }
 
 TEST(FitEos, RecoversJwlWithHonestErrors) {
-  auto const coverage = covered(products, jwl_family, from_the_start, 100, measure_products);
+  auto const coverage = covered(products, family_of<Jwl>, from_the_start, 100, measure_products);
   coverage.print("JWL");
   expect_honest(coverage, 100);
 }
 
 TEST(FitEos, NoiseThatIsLargerThanStatedIsSeen) {
-  auto const coverage = covered(nitromethane, hz_family, from_the_start, 100, [](auto& laboratory) {
+  auto const coverage = covered(nitromethane, family_of<Hz>, from_the_start, 100, [](auto& laboratory) {
     laboratory.noise_over_stated = 2;
     measure_nitromethane(laboratory);
   });
@@ -128,7 +129,7 @@ TEST(FitEos, CorrelatedErrorsOfPressureAndEnergyCountAsSuch) {
     laboratory.P_e_correlation = 0.9;
     laboratory.measure_states(spaced(7500, 12000, 8), spaced(300, 6000, 6), {P, e});
   };
-  auto const coverage = covered(tin, mie_gruneisen_family, from_the_start, 100, correlated);
+  auto const coverage = covered(tin, family_of<MieGruneisen>, from_the_start, 100, correlated);
   coverage.print("Mie-Gruneisen, correlated P and e");
   expect_honest(coverage, 100);
   // The same data taken as independent tell less.
@@ -136,10 +137,10 @@ TEST(FitEos, CorrelatedErrorsOfPressureAndEnergyCountAsSuch) {
   correlated(laboratory);
   EosFitOptions options = from_the_start;
   options.from = tin;
-  auto const with = fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data, options);
+  auto const with = fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data, options);
   for (auto& observation : laboratory.data)
     observation.P_e_correlation = 0;
-  auto const without = fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data, options);
+  auto const without = fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data, options);
   double largest = 0;
   for (auto const i : with.outcome.free)
     largest = std::max(largest, without.outcome.se(i) / with.outcome.se(i));
@@ -152,10 +153,10 @@ TEST(FitEos, ErrorsOfThePistonVelocityCountBySlope) {
   auto const shocks = [](auto& laboratory) {
     laboratory.measure_shocks(1125, 300, spaced(300, 3000, 15), {v_S}, 0.02);
   };
-  auto const coverage = covered(nitromethane, hz_family, options, 100, shocks);
+  auto const coverage = covered(nitromethane, family_of<Hz>, options, 100, shocks);
   coverage.print("HZ, uncertain v_P");
   expect_honest(coverage, 100);
-  auto const ignored = covered(nitromethane, hz_family, options, 100, [&](auto& laboratory) {
+  auto const ignored = covered(nitromethane, family_of<Hz>, options, 100, [&](auto& laboratory) {
     shocks(laboratory);
     for (auto& observation : laboratory.data)
       observation.given[0].se = 0;
@@ -187,9 +188,10 @@ void expect_found(Model const& truth, EosFamily (*family)(std::span<Observation 
 }
 
 TEST(FitEos, TheGlobalSearchNeedsNoStart) {
-  expect_found(tin, mie_gruneisen_family, measure_tin, {{"rho_0", 7000}, {"u_r", 0.172}, {"Theta_0", 1150}});
-  expect_found(nitromethane, hz_family, measure_nitromethane, {});
-  expect_found(products, jwl_family, measure_products, {{"P_CJ", 1.25e10}});
+  expect_found(tin, family_of<MieGruneisen>, measure_tin,
+               {{"rho_0", 7000}, {"u_r", 0.172}, {"Theta_0", 1150}});
+  expect_found(nitromethane, family_of<Hz>, measure_nitromethane, {});
+  expect_found(products, family_of<Jwl>, measure_products, {{"P_CJ", 1.25e10}});
 }
 
 TEST(FitEos, PredictionsCarryTheirErrors) {
@@ -204,7 +206,7 @@ TEST(FitEos, PredictionsCarryTheirErrors) {
     auto options = from_the_start;
     options.from = tin;
     auto const predicted =
-        fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data, options).estimate(shock, v_S);
+        fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data, options).estimate(shock, v_S);
     double const z = (predicted.mean - truth) / predicted.se;
     within_2 += std::abs(z) < 2;
     z_2 += z * z / 100;
@@ -218,7 +220,7 @@ TEST(FitEos, PredictionsCarryTheirErrors) {
 TEST(FitEos, WhatShockVelocitiesDoNotDetermineIsNamed) {
   Laboratory<MieGruneisen> laboratory(tin, 7);
   laboratory.measure_shocks(7290, 300, spaced(300, 3000, 12), {v_S});
-  auto const fit = fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data,
+  auto const fit = fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data,
                            {.fixed = {{"Gamma_inf", 0}, {"q", 1}}});
   // Without a temperature nothing tells the heat capacity, and the pressure of the start is not known.
   EXPECT_FALSE(fit.outcome.determined(6)); // c_v
@@ -234,11 +236,11 @@ TEST(FitEos, TheModelIsKeptPhysicalWhereItIsAsked) {
   Laboratory<Jwl> laboratory(products, 8);
   measure_products(laboratory);
   EosFitOptions options{.from = products, .search = {.global_evaluations = 0}};
-  auto const free = fit_eos(jwl_family(laboratory.data), laboratory.data, options);
+  auto const free = fit_eos(family_of<Jwl>(laboratory.data), laboratory.data, options);
   EXPECT_LT(sound_speed_squared(std::get<Jwl>(free.eos).isochore(100.0), 300.0), 0);
   options.region = EosRegion{100, 2400, 300, 6000};
   options.search.global_evaluations = 20000;
-  auto const held = fit_eos(jwl_family(laboratory.data), laboratory.data, options);
+  auto const held = fit_eos(family_of<Jwl>(laboratory.data), laboratory.data, options);
   std::printf("chi^2 %.1f free, %.1f held, least c^2 %.3g\n", free.outcome.chi_2(), held.outcome.chi_2(),
               held.c_2_min);
   EXPECT_GT(held.c_2_min, 0);
@@ -246,7 +248,7 @@ TEST(FitEos, TheModelIsKeptPhysicalWhereItIsAsked) {
   EXPECT_TRUE(held.outcome.constrained);
   EXPECT_TRUE(held.outcome.converged);
   options.search.seed = 2;
-  auto const again = fit_eos(jwl_family(laboratory.data), laboratory.data, options);
+  auto const again = fit_eos(family_of<Jwl>(laboratory.data), laboratory.data, options);
   EXPECT_NEAR(again.outcome.chi_2() / held.outcome.chi_2(), 1, 1e-6);
 }
 
@@ -260,7 +262,7 @@ TEST(FitEos, TheEnergyZeroOfTheDataIsFound) {
         datum.value += shift;
   EosFitOptions options = from_the_start;
   options.from = tin;
-  auto const fit = fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data, options);
+  auto const fit = fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data, options);
   auto const offset = fit.outcome.values.size() - 1;
   EXPECT_NEAR(fit.energy_offset, shift, 3 * fit.outcome.se(offset));
   EXPECT_LT(fit.outcome.chi_2(), 1.5 * fit.outcome.degrees_of_freedom());
@@ -271,7 +273,7 @@ TEST(FitEos, TheFileHoldsModelCovarianceAndRange) {
   measure_tin(laboratory);
   EosFitOptions options = from_the_start;
   options.from = tin;
-  auto const fit = fit_eos(mie_gruneisen_family(laboratory.data), laboratory.data, options);
+  auto const fit = fit_eos(family_of<MieGruneisen>(laboratory.data), laboratory.data, options);
   auto const model = parse_model(to_toml(fit.model("hash", {{"program", "test"}})), "tin.toml");
   auto const values = fit.family.values_of(model.eos);
   EXPECT_TRUE(values == fit.outcome.values.head(values.size()));
@@ -291,7 +293,7 @@ TEST(FitEos, RefusesWhatMakesNoSense) {
   int cases = 0;
   auto const refuses = [&](EosFitOptions const& options, std::string const& words) {
     try {
-      fit_eos(hz_family(laboratory.data), laboratory.data, options);
+      fit_eos(family_of<Hz>(laboratory.data), laboratory.data, options);
       ADD_FAILURE() << words;
     } catch (InputError const& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -305,7 +307,7 @@ TEST(FitEos, RefusesWhatMakesNoSense) {
   refuses({.from = tin}, "must be hz");
   refuses({.region = EosRegion{2000, 1000, 300, 400}}, "densities of the region");
   EXPECT_EQ(cases, 6);
-  EXPECT_THROW(fit_eos(hz_family(laboratory.data), {}), InputError);
+  EXPECT_THROW(fit_eos(family_of<Hz>(laboratory.data), {}), InputError);
 }
 
 /// As above with more repeats, each searched for within the default bounds; only what fixes the gauge is
@@ -314,20 +316,20 @@ constexpr int many = 400;
 
 TEST(Long_FitEos, RecoversMieGruneisenFromAnywhere) {
   EosFitOptions const gauge{.fixed = {{"rho_0", 7000}, {"u_r", 0.172}, {"Theta_0", 1150}}};
-  auto const coverage = covered(tin, mie_gruneisen_family, gauge, many, measure_tin);
+  auto const coverage = covered(tin, family_of<MieGruneisen>, gauge, many, measure_tin);
   coverage.print("Mie-Gruneisen, global");
   expect_honest(coverage, many);
 }
 
 TEST(Long_FitEos, RecoversHzFromAnywhere) {
-  auto const coverage = covered(nitromethane, hz_family, {}, many, measure_nitromethane);
+  auto const coverage = covered(nitromethane, family_of<Hz>, {}, many, measure_nitromethane);
   coverage.print("HZ, global");
   expect_honest(coverage, many);
 }
 
 TEST(Long_FitEos, RecoversJwlFromAnywhere) {
   EosFitOptions const gauge{.fixed = {{"P_CJ", 1.25e10}}};
-  auto const coverage = covered(products, jwl_family, gauge, many, measure_products);
+  auto const coverage = covered(products, family_of<Jwl>, gauge, many, measure_products);
   coverage.print("JWL, global");
   expect_honest(coverage, many);
 }

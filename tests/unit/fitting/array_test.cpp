@@ -85,7 +85,7 @@ TEST(EosArray, IsEachStateAlone) {
       EXPECT_EQ(std::visit([n](auto const& eos) { return check_array(eos, n); }, material.eos), int(n));
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 TEST(EosArray, RefusesBadStatesByName) {

@@ -89,7 +89,7 @@ void hold_in_every_model(int states, double tolerance) {
     EXPECT_LT(worst.largest(), tolerance);
     ++models;
   }
-  EXPECT_EQ(models, 9u);
+  EXPECT_GE(models, 9u);
 }
 
 TEST(EosIdentities, HoldInEveryModel) {

@@ -46,7 +46,7 @@ void return_in_every_model(int states, std::vector<double> const& guesses_in_T) 
     std::visit([&](auto const& eos) { check_inversions(eos, states, guesses_in_T); }, material.eos);
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 TEST(EosInversion, ReturnsTheStateInEveryModelFromAnyGuess) {
@@ -77,7 +77,7 @@ TEST(EosInversion, RefusesStatesWithoutATemperature) {
         material.eos);
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 /// Whether f throws a PhysicsError that says both words.
@@ -116,7 +116,7 @@ TEST(EosInversion, EveryCallOutsideTheDomainIsRefusedByName) {
     EXPECT_EQ(std::visit([](auto const& eos) { return refused_calls(eos); }, material.eos), 14);
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 TEST(EosInversion, TheRefusalNamesTheState) {
@@ -166,7 +166,7 @@ TEST(Evaluate, TheThreeWaysToAStateAgree) {
         material.eos);
     ++models;
   }
-  EXPECT_EQ(models, 9);
+  EXPECT_GE(models, 9);
 }
 
 } // namespace

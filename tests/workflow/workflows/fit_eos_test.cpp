@@ -1,6 +1,8 @@
+#include "fitting/fit_family.hpp"
 #include "fitting/model_file.hpp"
 #include "program.hpp"
 #include "scratch_directory.hpp"
+#include "unit/fitting/random_states.hpp"
 #include "workflows/command.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
@@ -76,6 +78,35 @@ TEST(FitEosCommand, NitromethaneFromItsShockLine) {
     ++compared;
   }
   EXPECT_EQ(compared, 3);
+}
+
+TEST(FitEosCommand, EveryKindReturnsItsMaterialFromTheMaterialsTable) {
+  ScratchDirectory const scratch;
+  std::size_t kinds = 0;
+  fitting::for_each_described_model([&]<class Model>() {
+    auto const& description = Model::description();
+    if (!description.fittable())
+      return;
+    SCOPED_TRACE(description.kind);
+    std::string const kind(description.kind), name(description.materials.front().name);
+    auto const table = scratch / (kind + ".csv"), file = scratch / (kind + ".toml");
+    Model const truth(description.materials.front().parameters);
+    double const rho = fitting::test::typical_density(truth);
+    auto const made = program({"eos", "table", "--model", name, "--rho-min", fmt::format("{}", 1.05 * rho),
+                               "--rho-max", fmt::format("{}", 1.4 * rho), "--T-min", "1500", "--T-max",
+                               "4000", "--rho-points", "6", "--T-points", "4", "-o", table});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    auto const fitted =
+        program({"fit", kind, table, "--from", name, "--relative-error", "0.01", "--local", "-o", file});
+    ASSERT_EQ(fitted.status, 0) << fitted.errors;
+    auto const model = std::get<Model>(fitting::parse_model(read_text_file(file), file).eos);
+    for (double const x : {1.1, 1.3})
+      for (double const T : {1600.0, 3900.0})
+        EXPECT_NEAR(model.isochore(x * rho).pressure(T) / truth.isochore(x * rho).pressure(T), 1, 1e-3);
+    ++kinds;
+  });
+  EXPECT_EQ(kinds, fitting::fittable_kinds().size());
+  EXPECT_GE(kinds, 3u);
 }
 
 TEST(FitEosCommand, TheSameSeedGivesTheSameModel) {

@@ -1,12 +1,11 @@
 #pragma once
+#include "fitting/simd/lanes.hpp"
 #include <bit>
-#include <cstdint>
-#include <limits>
 
 namespace mesobridge::fitting {
 
 /// As many doubles as fill a vector register, as one number: a formula that is a template on its number type
-/// is evaluated for all of them at once. The vectors are those of GCC and Clang.
+/// is evaluated for all of them at once.
 struct Pack {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   static constexpr int size = 8;
@@ -22,15 +21,13 @@ struct Pack {
 
   Pack() = default;
   Pack(Vector vector) : v(vector) {}
-  Pack(double x) : v(x - Vector{}) {}
+  Pack(double x) : v(simd::constant<Vector>(x)) {}
 
   static Pack load(double const* from) {
-    Pack p;
-    __builtin_memcpy(&p.v, from, sizeof p.v);
-    return p;
+    return simd::load<Vector>(from);
   }
   void store(double* to) const {
-    __builtin_memcpy(to, &v, sizeof v);
+    simd::store(v, to);
   }
 
   friend Pack operator+(Pack a, Pack b) {
