@@ -1,3 +1,4 @@
+#include "workflows/store/damage_guard.hpp"
 #include "workflows/store/file_lock.hpp"
 #include "workflows/store/seal.hpp"
 #include "workflows/store/store_implementation.hpp"
@@ -28,6 +29,7 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
     self.begin_journal();
   else
     wait_for_others(mode == Mode::read ? FileLock::Kind::shared : FileLock::Kind::exclusive);
+  DamageGuard const guard(self.file);
   if (H5Fis_hdf5(name.c_str()) <= 0)
     throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
   auto const flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
@@ -40,8 +42,7 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
                       name));
     return;
   }
-  self.handle =
-      self.opened({H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose}, "cannot open");
+  self.handle = self.opened({H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose}, "cannot open");
 }
 
 Store::Store(Store&&) noexcept = default;

@@ -1,3 +1,4 @@
+#include "workflows/store/damage_guard.hpp"
 #include "workflows/store/reading.hpp"
 
 namespace mesobridge::workflows {
@@ -31,16 +32,19 @@ T Store::Implementation::read_number_attribute(std::string const& path, std::str
 
 double Store::read_double_attribute(std::string const& object, std::string const& name,
                                     Bounds const& bounds) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read_number_attribute<double>(object, name, bounds);
 }
 std::int64_t Store::read_integer_attribute(std::string const& object, std::string const& name,
                                            Bounds const& bounds) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read_number_attribute<std::int64_t>(object, name, bounds);
 }
 
 /// Of variable or of fixed length: both are in use.
 std::vector<std::string> Store::read_text_attributes(std::string const& object,
                                                      std::string const& name) const {
+  DamageGuard const guard(implementation_->file);
   auto const& self = *implementation_;
   auto const attribute = self.open_attribute(object, name);
   Hdf5Handle const type(H5Aget_type(attribute.get()), H5Tclose),
@@ -79,6 +83,7 @@ std::vector<std::string> Store::read_text_attributes(std::string const& object,
 }
 
 std::string Store::read_text_attribute(std::string const& object, std::string const& name) const {
+  DamageGuard const guard(implementation_->file);
   auto const texts = read_text_attributes(object, name);
   if (texts.size() != 1)
     throw InputError(fmt::format("'{}': attribute '{}' of '{}' is an array of {}: must be one text",
@@ -87,6 +92,7 @@ std::string Store::read_text_attribute(std::string const& object, std::string co
 }
 
 bool Store::has_attribute(std::string const& object, std::string const& name) const {
+  DamageGuard const guard(implementation_->file);
   auto const& self = *implementation_;
   return self.contains(object) &&
          H5Aexists_by_name(self.handle.get(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;

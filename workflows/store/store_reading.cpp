@@ -1,3 +1,4 @@
+#include "workflows/store/damage_guard.hpp"
 #include "workflows/store/reading.hpp"
 
 namespace mesobridge::workflows {
@@ -61,21 +62,26 @@ std::vector<T> Store::Implementation::read(std::string const& path, Expected con
 }
 
 std::vector<double> Store::read_doubles(std::string const& path, Expected const& expected) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read<double>(path, expected, std::nullopt);
 }
 std::vector<std::int64_t> Store::read_integers(std::string const& path, Expected const& expected) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read<std::int64_t>(path, expected, std::nullopt);
 }
 std::vector<double> Store::read_row(std::string const& path, std::size_t row,
                                     Expected const& expected) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read<double>(path, expected, row);
 }
 std::vector<std::int64_t> Store::read_integer_row(std::string const& path, std::size_t row,
                                                   Expected const& expected) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->read<std::int64_t>(path, expected, row);
 }
 
 std::string Store::read_text(std::string const& path) const {
+  DamageGuard const guard(implementation_->file);
   auto const& self = *implementation_;
   auto const dataset = self.open_dataset(path);
   Reading const reading(self.file, "dataset '" + path + "'");
@@ -95,10 +101,12 @@ std::string Store::read_text(std::string const& path) const {
 }
 
 Store::Shape Store::shape(std::string const& path) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->shape_of(implementation_->open_dataset(path));
 }
 
 std::size_t Store::rows(std::string const& path) const {
+  DamageGuard const guard(implementation_->file);
   auto const found = shape(path);
   if (found.empty())
     throw InputError(
@@ -107,10 +115,12 @@ std::size_t Store::rows(std::string const& path) const {
 }
 
 bool Store::contains(std::string const& path) const {
+  DamageGuard const guard(implementation_->file);
   return implementation_->contains(path);
 }
 
 bool Store::is_group(std::string const& path) const {
+  DamageGuard const guard(implementation_->file);
   auto const& self = *implementation_;
   if (!self.contains(path))
     return false;
@@ -119,6 +129,7 @@ bool Store::is_group(std::string const& path) const {
 }
 
 std::vector<std::string> Store::list(std::string const& group) const {
+  DamageGuard const guard(implementation_->file);
   auto const& self = *implementation_;
   if (!is_group(group))
     throw InputError(fmt::format("'{}' has no group '{}'", self.file.string(), group));

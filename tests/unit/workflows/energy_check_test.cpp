@@ -1,0 +1,46 @@
+#include "md/star_polymer.hpp"
+#include "workflows/star/energy_check.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// Warnings of a run whose total energies are these, in units of `unit`.
+std::vector<std::string> warnings_of(std::vector<double> const& energies, double unit) {
+  auto const model = cg::model_of({.arms = 3, .beads = 2});
+  EnergyCheck check(model);
+  for (std::size_t k = 0; k < energies.size(); ++k) {
+    cg::BlobFrame frame{.step = static_cast<std::int64_t>(k), .blobs = {}};
+    frame.blobs.push_back({.U_kin = unit * (1 + 0.1 * (k % 2 ? 1 : -1)), .U_pot = unit * (energies[k] - 1)});
+    check.add(frame, std::nullopt, 0);
+  }
+  return check.warnings();
+}
+
+TEST(EnergyCheck, TellsAWanderOfAnySize) {
+  int cases = 0;
+  for (double const unit : {1e-150, 1.0, 1e300}) { // of squares beyond all numbers
+    auto const wanders = warnings_of({5, 6, 7, 8}, unit);
+    ASSERT_EQ(wanders.size(), 1u) << unit;
+    EXPECT_NE(wanders[0].find("the total energy wanders"), std::string::npos);
+    EXPECT_EQ(wanders[0].find("inf"), std::string::npos) << wanders[0];
+    EXPECT_EQ(wanders[0].find("nan"), std::string::npos) << wanders[0];
+    ++cases;
+  }
+  EXPECT_EQ(cases, 3);
+}
+
+TEST(EnergyCheck, SaysNothingOfAnEnergyThatIsKept) {
+  auto const model = cg::model_of({.arms = 3, .beads = 2});
+  EnergyCheck check(model);
+  for (int k = 0; k < 4; ++k) {
+    double const kinetic = 1 + 0.1 * (k % 2);
+    cg::BlobFrame frame{.step = k, .blobs = {}};
+    frame.blobs.push_back({.U_kin = kinetic, .U_pot = 4 - kinetic});
+    check.add(frame, std::nullopt, 0);
+  }
+  EXPECT_TRUE(check.warnings().empty());
+}
+
+} // namespace
+} // namespace mesobridge::workflows
