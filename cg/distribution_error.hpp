@@ -7,7 +7,7 @@ namespace mesobridge::cg {
 /// there are no values.
 Bins bins_around(std::span<double const> values, double unit);
 
-/// Quadratic distance of two densities on the same bins, relative to the second (thesis, Eq. 4.18).
+/// Quadratic distance of two densities on the same bins, relative to the second (cg/README.md, Eq. (C16)).
 double distribution_error(std::span<double const> found, std::span<double const> reference);
 
 /// The part of a distribution error that the finite sample makes: from the difference of its two halves.

@@ -4,7 +4,7 @@
 namespace mesobridge::md {
 
 /// Estimates for a crystal whose atoms vibrate classically about its static states: e = e_c(rho) + 3 k_B T/m,
-/// P = P_c(rho) + G rho 3 k_B T/m with the Grueneisen parameter G = 2. They only say where to sample.
+/// P = P_c(rho) + G rho 3 k_B T/m with G = 2 (md/README.md, Eq. (M9)). They only say where to sample.
 class QuasiharmonicMetal {
  public:
   QuasiharmonicMetal(MpiWorld const& world, MetalSettings const& settings);

@@ -26,8 +26,8 @@ inline constexpr DavisParameters pbx_9502_products_parameters{.a = 0.798311,
                                                               .c_v = 1072,
                                                               .m0 = 258.15 * atomic_mass};
 
-/// The equation of state of detonation products of Davis (B. L. Wescott, D. S. Stewart and W. C. Davis, J.
-/// Appl. Phys. 98 (2005) 053514), per unit mass, V = 1/(rho v_c), M = (V^n + V^-n)/2:
+/// The equation of state of detonation products of Davis (Wescott, Stewart and Davis 2005; fitting/README.md,
+/// Eq. (F22)), per unit mass, V = 1/(rho v_c), M = (V^n + V^-n)/2:
 ///   s = c_v ln[T/T_s],  T = T_s + (e - e_s)/c_v,  P = p_s + Gamma rho (e - e_s),
 ///   e_s = e_c M^(a/n) V^-(k-1+a),  p_s = rho e_s (k - 1 + F),  F = 2a V^-n/(V^n + V^-n),
 ///   Gamma = k - 1 + (1 - b) F,  T_s = T_c M^((1-b)a/n) V^-(k-1+(1-b)a),

@@ -4,7 +4,7 @@
 namespace mesobridge::sdpd {
 
 /// The Gamma law of the internal energy of an ideal-gas particle of size K, in k_B T, as a density over the
-/// bins (thesis, Eq. 4.8).
+/// bins (sdpd/README.md, Eq. (S19)).
 std::vector<double> gamma_law(double K, cg::Bins const& bins);
 
 } // namespace mesobridge::sdpd

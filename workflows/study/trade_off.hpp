@@ -37,7 +37,7 @@ struct Bias {
   cg::Estimate T_kin, T_int, P;
   cg::Estimate eps_variance;
   double distribution = 0,
-         distribution_noise = 0; ///< workflows/README.md, Eq. (W2), and what the sample's noise makes of it
+         distribution_noise = 0; ///< cg/README.md, Eq. (C16), and what the sample's noise makes of it
   /// The largest of those of T_kin, T_int, P that one standard error allows.
   double bound() const;
 };

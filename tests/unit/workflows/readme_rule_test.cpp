@@ -84,7 +84,7 @@ TEST(ReadmeRule, EveryEquationThatASourceCitesStandsInAReadme) {
   std::map<std::string, std::set<std::string>> defined;
   for (auto const& [letter, stage] : stage_of) {
     defined[stage] = equations(read(source / stage / "README.md"));
-    EXPECT_GT(defined[stage].size(), 3) << stage;
+    EXPECT_GE(defined[stage].size(), 3) << stage;
     for (auto const& equation : defined[stage])
       EXPECT_EQ(equation.front(), letter) << stage << "/README.md defines " << equation;
   }
