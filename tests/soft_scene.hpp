@@ -12,7 +12,7 @@ struct SoftScene {
   std::string friction = "gamma_par = 4.5\ncutoff = 1\n";
 
   std::string text() const {
-    return "title = \"soft\"\nunits = \"lj\"\n[method]\nname = \"" + method +
+    return "title = \"small\"\nunits = \"lj\"\n[method]\nname = \"" + method +
            "\"\n[fluid]\nrho = 3\nT = 1\n[particles]\nN = " + std::to_string(N) + "\nmass = 1\n" +
            (potential.empty() ? "" : "[potential]\n" + potential) + "[friction]\n" + friction +
            (method == "dpde" ? "[internal_energy]\nheat_capacity = 60\n" : "") +

@@ -3,6 +3,7 @@
 #include "workflows/lj_to_sdpd/chain.hpp"
 #include "workflows/lj_to_sdpd/checks.hpp"
 #include "workflows/lj_to_sdpd/figures.hpp"
+#include "workflows/report/drawn.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
 #include <algorithm>
@@ -91,13 +92,6 @@ Table drift_table(std::vector<DriftLaw> const& laws) {
   return table;
 }
 
-Figure figure(std::vector<Plot> const& plots, std::string caption) {
-  Figure result{{}, std::move(caption)};
-  for (auto const& plot : plots)
-    result.svgs.push_back(draw_svg(plot));
-  return result;
-}
-
 Paragraph accuracy_paragraph(fitting::LjBwrFit const& fit) {
   auto const accuracy = published_accuracy(fit.points);
   return {fmt::format(
@@ -142,19 +136,19 @@ Section fit_section(ChainResults const& results) {
            "The witnesses of MD and fit are two published equations that took no part in it: those of "
            "Kolafa and Nezbeda (1994), valid up to T* = 20, and of Thol et al. (2016), fitted up to T* = 9."},
        accuracy_paragraph(fit), prior_paragraph(fit),
-       figure({isotherms(results, GridQuantity::P), isotherms(results, GridQuantity::U)},
-              "Pressure, and energy per atom. Below, relative to the fit: MD (points with error bars), "
-              "Kolafa and "
-              "Nezbeda (lines), the set of 1993 (dashes); of energies relative to max(|U*|, T*), since U* "
-              "passes "
-              "through zero."),
-       figure({models_and_md(results, GridQuantity::P), models_and_md(results, GridQuantity::U)},
-              "Published equations against each other and against this MD. The 1993 set was made from "
-              "simulations up to T* = 6; Thol et al. (2016) hold to T* = 9."),
-       figure({held_out(results)},
-              fmt::format("Leave-one-out predictions: {:.0f} % of the states lie within 3 combined "
-                          "standard errors in both U and P; rms deviation {:.2f}.",
-                          100 * fit.held_out_fraction, fit.rms_held_out_deviation)),
+       drawn({isotherms(results, GridQuantity::P), isotherms(results, GridQuantity::U)},
+             "Pressure, and energy per atom. Below, relative to the fit: MD (points with error bars), "
+             "Kolafa and "
+             "Nezbeda (lines), the set of 1993 (dashes); of energies relative to max(|U*|, T*), since U* "
+             "passes "
+             "through zero."),
+       drawn({models_and_md(results, GridQuantity::P), models_and_md(results, GridQuantity::U)},
+             "Published equations against each other and against this MD. The 1993 set was made from "
+             "simulations up to T* = 6; Thol et al. (2016) hold to T* = 9."),
+       drawn({held_out(results)},
+             fmt::format("Leave-one-out predictions: {:.0f} % of the states lie within 3 combined "
+                         "standard errors in both U and P; rms deviation {:.2f}.",
+                         100 * fit.held_out_fraction, fit.rms_held_out_deviation)),
        state_table(fit)}};
 }
 
@@ -170,7 +164,7 @@ Section fluid_section(ChainResults const& results) {
                  "with the equation of state ± the statistical error of that calibration and 0.1 % for the "
                  "structure of large particles, which settles slowly; temperatures with the set one ± 0.1 % "
                  "for the time step and the equilibration."},
-       figure(
+       drawn(
            {pressure_against_size(results), temperatures_against_size(results), density_against_size(results),
             variances_against_size(results)},
            "Means and variances against the particle size; dashes: the thesis's Table 5.1 (Faure 2017), with "
@@ -180,7 +174,7 @@ Section fluid_section(ChainResults const& results) {
                  "a cubic kernel and plain sums as densities, which are not the mass per volume: its "
                  "pressures and densities depend on the size. `reproduce table-5.1` shows both."},
        fluid_table(results), published_table(results),
-       figure(fluid_distributions(results), "Distributions over particles and instants.")}};
+       drawn(fluid_distributions(results), "Distributions over particles and instants.")}};
 }
 
 Section ideal_gas_section(ChainResults const& results) {
@@ -189,7 +183,7 @@ Section ideal_gas_section(ChainResults const& results) {
       {Paragraph{
            "The internal energy of an ideal-gas particle follows a Gamma law of shape (3/2)(K-1) exactly, "
            "whatever kernel and densities."},
-       figure(ideal_gas_distributions(results), "Histograms and exact laws.")}};
+       drawn(ideal_gas_distributions(results), "Histograms and exact laws.")}};
 }
 
 Section drift_section(ChainResults const& results) {
@@ -210,8 +204,8 @@ Section drift_section(ChainResults const& results) {
            "compared. A power law is a summary over the range of dt shown, not an asymptotic order; the rate "
            "rises "
            "more steeply towards the limit of stability, so that the exponent depends on the range."},
-       figure({drift_against_time_step(laws), energy_error_plot("energyerror", curves)},
-              "Left: drift rates. Right: the energy error in time."),
+       drawn({drift_against_time_step(laws), energy_error_plot("energyerror", curves)},
+             "Left: drift rates. Right: the energy error in time."),
        drift_table(laws)}};
 }
 

@@ -1,3 +1,4 @@
+#include "workflows/report/drawn.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/reproduce/ideal_gas_study.hpp"
 #include "workflows/reproduce/published.hpp"
@@ -34,14 +35,6 @@ Plot drift_plot(std::string name, std::string title, std::vector<LineResult> con
   return plot;
 }
 
-Figure figure(std::vector<Plot> const& plots, std::string caption) {
-  Figure result{{}, std::move(caption)};
-  for (auto const& plot : plots)
-    if (!plot.panels[0].series.empty())
-      result.svgs.push_back(draw_svg(plot));
-  return result;
-}
-
 std::string exponents_text(std::vector<LineResult> const& lines) {
   std::vector<std::string> parts;
   for (auto const& line : lines)
@@ -57,7 +50,7 @@ Reproduced assembled(std::string title, std::string lead, std::vector<LineResult
   found.summary["lines"] = lines_json(lines);
   Section ours{
       "Ours",
-      {figure(plots, "Points with standard errors; lines are power laws through them."), drift_table(lines)}};
+      {drawn(plots, "Points with standard errors; lines are power laws through them."), drift_table(lines)}};
   if (auto const failed = failures(lines); !failed.empty())
     ours.content.emplace_back(
         Paragraph{fmt::format("Runs that could not go on: {}", fmt::join(failed, "; "))});

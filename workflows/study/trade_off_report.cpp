@@ -1,5 +1,5 @@
+#include "workflows/report/drawn.hpp"
 #include "workflows/report/number_text.hpp"
-#include "workflows/report/plot.hpp"
 #include "workflows/study/trade_off_parts.hpp"
 
 namespace mesobridge::workflows {
@@ -57,14 +57,6 @@ Plot side_by_side(Plot plot) {
     for (double& x : series[k].x)
       x *= 1 + apart * (static_cast<double>(k) - middle);
   return plot;
-}
-
-Figure figure_of(std::vector<Plot> const& plots, std::string caption) {
-  Figure figure{{}, std::move(caption)};
-  for (auto const& plot : plots)
-    if (!plot.panels[0].series.empty())
-      figure.svgs.push_back(draw_svg(plot));
-  return figure;
 }
 
 Table trial_table(TradeOff const& found, double K) {
@@ -153,12 +145,12 @@ Section size_section(TradeOff const& found, double K) {
                               "distribution error (4.18)"),
                         cost, error)};
   };
-  return {K > 0 ? fmt::format("Particles of size K = {:g}", K) : "Particles",
-          {figure_of(plots(),
-                     "Every point is a run; below and to the left is better. What is not resolved stands at "
-                     "its upper limit, value and standard error, with a bar that goes down. Points of one "
-                     "time step stand side by side."),
-           trial_table(found, K), limit_table(found, K)}};
+  return {
+      K > 0 ? fmt::format("Particles of size K = {:g}", K) : "Particles",
+      {drawn(plots(), "Every point is a run; below and to the left is better. What is not resolved stands at "
+                      "its upper limit, value and standard error, with a bar that goes down. Points of one "
+                      "time step stand side by side."),
+       trial_table(found, K), limit_table(found, K)}};
 }
 
 Section recommendation_section(TradeOff const& found, Target const& target) {
