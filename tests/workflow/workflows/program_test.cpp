@@ -1,3 +1,4 @@
+#include "fitting/eos/list.hpp"
 #include "program.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/provenance.hpp"
@@ -36,30 +37,29 @@ TEST(Program, EvaluatesAnIdealGasOfAnyGamma) {
 
 TEST(Program, ListsEveryModelWithItsDomain) {
   auto const json = Json::parse(program({"eos", "list", "--json"}).output);
-  ASSERT_EQ(json["models"].size(), 9u);
-  int cases = 0;
+  ASSERT_EQ(json["models"].size(), fitting::materials().size());
+  std::size_t cases = 0;
   for (auto const& model : json["models"]) {
     bool const reduced = model["name"].get<std::string>().starts_with("lj");
     EXPECT_TRUE(model.contains(reduced ? "rho_max" : "rho_max_kg_m3"));
     EXPECT_GT(model["edge"].get<std::string>().size(), 10u);
     ++cases;
   }
-  EXPECT_EQ(cases, 9);
+  EXPECT_GE(cases, 9u);
 }
 
 TEST(Program, TimesTheEquationsOfState) {
   auto const result = program({"bench", "eos", "--states", "64", "--repeats", "1", "--json"});
   ASSERT_EQ(result.status, 0) << result.errors;
   auto const json = Json::parse(result.output);
-  EXPECT_EQ(json["ns_per_call"].size(), 10u); // nine materials and the table
-  int cases = 0;
+  EXPECT_EQ(json["ns_per_call"].size(), fitting::materials().size());
+  std::size_t cases = 0;
   for (auto const& [model, calls] : json["ns_per_call"].items())
     for (auto const& [call, ns] : calls.items()) {
       EXPECT_GT(ns.get<double>(), 0) << model << " " << call;
       ++cases;
     }
-  EXPECT_EQ(cases, 60);
-  EXPECT_LT(json["table"]["relative_error_P"], 1e-8);
+  EXPECT_EQ(cases, 6 * fitting::materials().size());
 }
 
 TEST(Program, BadInputHasACodeAndOneClearMessage) {
