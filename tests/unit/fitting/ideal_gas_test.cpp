@@ -50,8 +50,9 @@ TEST(IdealGas, RefusesNonsense) {
 
 TEST(Materials, AreFoundByNameOnly) {
   EXPECT_EQ(material("argon").name, "argon");
-  EXPECT_EQ(material_names(),
-            "argon, lj, ideal-gas, tin, nitromethane, nitromethane-products, water, lj-kn, lj-thol");
+  EXPECT_TRUE(
+      material_names().starts_with("argon, lj, ideal-gas, tin, nitromethane, nitromethane-products, "));
+  EXPECT_TRUE(material_names().ends_with(", water, lj-kn, lj-thol"));
   try {
     material("argonn");
     FAIL() << "no exception";
