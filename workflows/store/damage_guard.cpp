@@ -42,9 +42,9 @@ void install_once() {
 
 } // namespace
 
-DamageGuard::DamageGuard(std::filesystem::path const& file) : before_(guarded_file) {
+DamageGuard::DamageGuard(std::filesystem::path const& file) : file_(file.string()), before_(guarded_file) {
   install_once();
-  guarded_file = file.c_str();
+  guarded_file = file_.c_str();
 }
 
 DamageGuard::~DamageGuard() {

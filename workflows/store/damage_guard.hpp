@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 namespace mesobridge::workflows {
 
@@ -15,6 +16,7 @@ class DamageGuard {
   DamageGuard& operator=(DamageGuard const&) = delete;
 
  private:
+  std::string file_;
   char const* before_;
 };
 
