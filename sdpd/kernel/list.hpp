@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/kernel/cubic.hpp"
 #include "sdpd/kernel/lucy.hpp"
+#include "sdpd/kernel/quintic.hpp"
 #include "sdpd/kernel/wendland_c2.hpp"
 #include "sdpd/kernel/wendland_c4.hpp"
 #include "sdpd/kernel/wendland_c6.hpp"
@@ -12,7 +13,8 @@
 namespace mesobridge::sdpd {
 
 /// Every kernel; the passes over the pairs choose once, outside their loops.
-using AnyKernel = std::variant<CubicKernel, LucyKernel, WendlandC2Kernel, WendlandC4Kernel, WendlandC6Kernel>;
+using AnyKernel = std::variant<CubicKernel, LucyKernel, QuinticKernel, WendlandC2Kernel, WendlandC4Kernel,
+                               WendlandC6Kernel>;
 
 /// The mean density that a sum over neighbours gives is not the mass per volume: the particle's own term is
 /// too large or too small for the order of its surroundings. rho_i = scale sum_j m_j W_ij - self m_i W_ii(0),
