@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/potential/exp6.hpp"
 #include "sdpd/potential/lennard_jones.hpp"
+#include "sdpd/potential/morse.hpp"
 #include "sdpd/potential/soft_potential.hpp"
 #include "sdpd/potential/tabulated_potential.hpp"
 #include <functional>
@@ -19,7 +20,7 @@ struct NoPotential {
 
 /// Every pair potential of DPD and DPDE; the force loop chooses once, outside. A new one is a file and a line
 /// here; scenes and tests know it by its kinds().
-using AnyPotential = std::variant<NoPotential, SoftPotential, LennardJones, Exp6, TabulatedPotential>;
+using AnyPotential = std::variant<NoPotential, SoftPotential, LennardJones, Exp6, Morse, TabulatedPotential>;
 
 /// A potential by its name in scenes.
 struct NamedPotential {
