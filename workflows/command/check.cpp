@@ -48,7 +48,7 @@ Result check(Options const& options, Context const& context) {
   auto const disk = estimate_disk(scene);
   auto const settings = settings_of(scene, threads);
   auto warnings = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
-  for (auto const& doubt : doubts_about(settings))
+  for (auto const& doubt : doubts_about(scene, settings))
     warnings.push_back(doubt.text);
   for (auto const& what : warnings)
     context.log->warn("warning: {}", what);

@@ -1,4 +1,5 @@
 #include "fitting/eos/evaluate.hpp"
+#include "fitting/valid_range.hpp"
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/eos/named_fluid.hpp"
@@ -40,23 +41,12 @@ fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
       any);
 }
 
-bool outside_its_data(fitting::EosModel const& model, double rho, double T) {
-  if (!model.valid)
-    return false;
-  // The range of a Lennard-Jones model's data is reduced, the state in the model's own units.
-  auto const* const lj = std::get_if<fitting::LjBwr>(&model.eos);
-  double const rho_range = lj ? rho / lj->scale().density : rho,
-               T_range = lj ? T / lj->scale().temperature : T;
-  return rho_range < model.valid->rho_min || rho_range > model.valid->rho_max ||
-         T_range < model.valid->T_min || T_range > model.valid->T_max;
-}
-
 Result eval(Options const& options, Context const& context) {
   auto const model = options.eos.load();
   auto const state = state_of(model.eos, options);
   bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
-  if (outside_its_data(model, state.rho, state.T))
-    context.log->warn("the state lies outside the data of this model: it is extrapolated");
+  if (auto const doubt = fitting::extrapolation(model, state.rho, state.T))
+    context.log->warn(*doubt);
   std::vector<Line> const lines{
       {"rho", "_kg_m3", "kg/m^3", state.rho},
       {"T", "_K", "K", state.T},

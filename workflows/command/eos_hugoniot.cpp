@@ -40,7 +40,7 @@ Result hugoniot(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const model = load_fluid(options.eos);
-  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
+  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model, context));
   auto const asked = options.shock.shock(hugoniot);
   Result result;
   result.json["model"] = options.eos.model;

@@ -64,7 +64,7 @@ Result isentrope(Options const& options, Context const& context) {
   if (options.rho)
     require_positive_number("--rho", *options.rho);
   auto const model = load_fluid(options.eos);
-  fitting::Isentrope const isentrope(model.fluid, options.initial.of(model.fluid));
+  fitting::Isentrope const isentrope(model.fluid, options.initial.of(model, context));
   auto const to = options.rho ? isentrope.at_density(*options.rho) : isentrope.at_pressure(*options.P);
   auto const columns = along(isentrope, to, options.points), end = last_row(columns);
   Result result;

@@ -39,7 +39,7 @@ Series curve(std::string const& label, Options const& options, bool reduced, Ser
   return series;
 }
 
-std::vector<Series> curves_of(NamedFluid const& model, Options const& options) {
+std::vector<Series> curves_of(NamedFluid const& model, Options const& options, Context const& context) {
   std::vector<Series> all;
   for (double const T : options.isotherms)
     all.push_back(curve(fmt::format("{}, T = {:g}{}", model.name, T, model.reduced ? "" : " K"), options,
@@ -47,7 +47,7 @@ std::vector<Series> curves_of(NamedFluid const& model, Options const& options) {
                         [&](double rho) { return model.fluid.at_temperature(rho, T); }));
   if (!options.rho0)
     return all;
-  auto const at_rest = InitialState{.rho0 = *options.rho0, .T0 = *options.T0}.of(model.fluid);
+  auto const at_rest = InitialState{.rho0 = *options.rho0, .T0 = *options.T0}.of(model, context);
   fitting::Isentrope const isentrope(model.fluid, at_rest);
   all.push_back(curve(model.name + ", isentrope", options, model.reduced, SeriesStyle::dashes,
                       [&](double rho) { return isentrope.at_density(rho); }));
@@ -66,7 +66,7 @@ Plot eos_plot(std::vector<NamedFluid> const& models, Options const& options, Con
   plot.panels[0].y.label = pressure_label(reduced);
   for (auto const& model : models) {
     require_same_units(models.front(), model);
-    for (auto& series : curves_of(model, options)) {
+    for (auto& series : curves_of(model, options, context)) {
       if (series.x.empty()) {
         context.log->warn("{}: no density of the range lies inside the model", series.label);
         continue;

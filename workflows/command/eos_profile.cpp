@@ -52,7 +52,7 @@ Result profile(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const model = load_fluid(options.eos);
-  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model.fluid));
+  fitting::Hugoniot const hugoniot(model.fluid, options.initial.of(model, context));
   auto const profile =
       fitting::shock_profile(model.fluid, hugoniot.from_piston(options.v_P), options.transport);
   Columns head{{"thickness", "_m", "m", {profile.thickness}}};

@@ -93,6 +93,8 @@ Result riemann(Options const& options, Context const& context) {
   require_same_units(left, right);
   bool const reduced = left.reduced;
   fitting::RiemannSolution const solution(options.left.of(left, "left"), options.right.of(right, "right"));
+  warn_outside_data(left, options.left.rho, options.left.T, context);
+  warn_outside_data(right, options.right.rho, options.right.T, context);
   Columns const head{{"P", "_Pa", "Pa", {solution.P()}}, {"u", "_m_s", "m/s", {solution.u()}}};
   Result result;
   put_first_row(result.json, head, reduced);

@@ -1,14 +1,16 @@
 #include "workflows/eos/named_fluid.hpp"
+#include "fitting/valid_range.hpp"
 #include <CLI/CLI.hpp>
 #include <limits>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 
 NamedFluid load_fluid(EosOptions const& options) {
-  auto const model = options.load();
-  return {.name = options.model,
-          .fluid = fitting::Fluid(model.eos),
-          .reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos)};
+  auto model = options.load();
+  bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
+  auto fluid = fitting::Fluid(model.eos);
+  return {.name = options.model, .model = std::move(model), .fluid = std::move(fluid), .reduced = reduced};
 }
 
 NamedFluid load_fluid(std::string const& name_or_file) {
@@ -34,10 +36,21 @@ void InitialState::declare(CLI::App& app) {
   app.add_option("--T0", T0, "Its temperature (SI: K)")->required();
 }
 
+void warn_outside_data(NamedFluid const& fluid, double rho, double T, Context const& context) {
+  if (auto const doubt = fitting::extrapolation(fluid.model, rho, T))
+    context.log->warn("{}: {}", fluid.name, *doubt);
+}
+
 fitting::EosState InitialState::of(fitting::Fluid const& fluid) const {
   require_positive_number("--rho0", rho0);
   require_positive_number("--T0", T0);
   return fluid.at_temperature(rho0, T0);
+}
+
+fitting::EosState InitialState::of(NamedFluid const& fluid, Context const& context) const {
+  auto const state = of(fluid.fluid);
+  warn_outside_data(fluid, rho0, T0, context);
+  return state;
 }
 
 } // namespace mesobridge::workflows

@@ -8,6 +8,7 @@ namespace mesobridge::workflows {
 /// A model as the command line names it.
 struct NamedFluid {
   std::string name;
+  fitting::EosModel model;
   fitting::Fluid fluid;
   bool reduced; ///< in Lennard-Jones units
 };
@@ -23,6 +24,9 @@ void require_same_units(NamedFluid const& a, NamedFluid const& b);
 /// precision loses its digits.
 void require_positive_number(std::string const& option, double value);
 
+/// Says so where the model is extrapolated.
+void warn_outside_data(NamedFluid const& fluid, double rho, double T, Context const& context);
+
 /// A state at rest given by --rho0 and --T0.
 struct InitialState {
   double rho0 = 0, T0 = 0;
@@ -30,6 +34,8 @@ struct InitialState {
   void declare(CLI::App& app);
   /// Throws InputError unless both are > 0, PhysicsError outside the model.
   fitting::EosState of(fitting::Fluid const& fluid) const;
+  /// Warns outside the model's data, too.
+  fitting::EosState of(NamedFluid const& fluid, Context const& context) const;
 };
 
 } // namespace mesobridge::workflows

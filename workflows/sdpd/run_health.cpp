@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_health.hpp"
+#include "fitting/valid_range.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include <fmt/ranges.h>
 #include <numbers>
@@ -15,9 +16,12 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 
 } // namespace
 
-std::vector<sdpd::Finding> doubts_about(sdpd::SimulationSettings const& settings) {
-  if (!settings.pair_fluid)
-    return {};
+std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  if (!settings.pair_fluid) {
+    auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T);
+    return doubt ? std::vector{sdpd::Finding{"range", false, fmt::format("fluid.eos: {}", *doubt)}}
+                 : std::vector<sdpd::Finding>();
+  }
   double const neighbours = neighbours_in_range(settings);
   if (neighbours >= least_neighbours)
     return {};
@@ -32,7 +36,7 @@ std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, 
                                        sdpd::Simulation const& simulation) {
   auto const& settings = result.settings;
   bool const keeps_energy = !simulation.has_thermostat();
-  auto findings = doubts_about(settings);
+  auto findings = doubts_about(result.scene, settings);
   auto const found =
       sdpd::examine(samples, result.equilibrium,
                     {.has_motion = settings.noise,

@@ -17,6 +17,6 @@ Json findings_json(std::vector<sdpd::Finding> const& findings);
 std::string failure_of(std::vector<sdpd::Finding> const& findings);
 
 /// What a scene's numbers alone say against it, before anything is run: warnings for people.
-std::vector<sdpd::Finding> doubts_about(sdpd::SimulationSettings const& settings);
+std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings);
 
 } // namespace mesobridge::workflows

@@ -9,10 +9,16 @@
 
 namespace mesobridge::workflows {
 
-fitting::AnyEos eos_of(Scene const& scene) {
+fitting::EosModel eos_model_of(Scene const& scene) {
+  auto model =
+      fitting::load_eos(scene.fluid.eos, [](std::string const& file) { return read_text_file(file); });
   if (scene.fluid.eos == "ideal-gas" && scene.fluid.m0)
-    return fitting::IdealGas(*scene.fluid.m0);
-  return fitting::load_eos(scene.fluid.eos, [](std::string const& file) { return read_text_file(file); }).eos;
+    model.eos = fitting::IdealGas(*scene.fluid.m0);
+  return model;
+}
+
+fitting::AnyEos eos_of(Scene const& scene) {
+  return eos_model_of(scene).eos;
 }
 
 namespace {

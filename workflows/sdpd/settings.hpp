@@ -1,10 +1,14 @@
 #pragma once
+#include "fitting/model_file.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/observe/equilibrium.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "workflows/scene/scene.hpp"
 
 namespace mesobridge::workflows {
+
+/// The model that a scene names, with what its file says of it. Throws InputError.
+fitting::EosModel eos_model_of(Scene const& scene);
 
 /// The equation of state that a scene names: a built-in material, the ideal gas of its m0, or a fitted
 /// model's file. Throws InputError.
