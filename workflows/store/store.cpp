@@ -33,6 +33,8 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
   if (H5Fis_hdf5(name.c_str()) <= 0)
     throw InputError(fmt::format("cannot read '{}': not an HDF5 file", name));
   auto const flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
+  if (mode == Mode::read)
+    UndoJournal::wait_for_writer(self.file);
   if (mode == Mode::read && UndoJournal::exists(self.file)) {
     self.handle = {H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose};
     if (!self.handle.valid())
@@ -42,7 +44,12 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
                       name));
     return;
   }
-  self.handle = self.opened({H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose}, "cannot open");
+  Hdf5Handle handle(H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose);
+  if (!handle.valid()) { // perhaps somebody looked whether it is locked, for a moment
+    wait_for_others(mode == Mode::read ? FileLock::Kind::shared : FileLock::Kind::exclusive);
+    handle = {H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose};
+  }
+  self.handle = self.opened(std::move(handle), "cannot open");
 }
 
 Store::Store(Store&&) noexcept = default;
@@ -138,6 +145,7 @@ void Store::mend(std::filesystem::path const& file) {
 
 void Store::mend(std::filesystem::path const& file, double patience) {
   FileLock const lock(file, FileLock::Kind::exclusive, patience);
+  UndoJournal::wait_for_writer(file);
   if (!UndoJournal::exists(file))
     return;
   UndoJournal::roll_back(file);
@@ -149,6 +157,7 @@ void Store::mend(std::filesystem::path const& file, double patience) {
 void Store::Implementation::begin_journal() {
   {
     FileLock const held_for_a_moment(file, FileLock::Kind::exclusive);
+    UndoJournal::wait_for_writer(file);
     UndoJournal::roll_back(file);
   }
   if (UndoJournal::exists(file)) {
@@ -170,11 +179,11 @@ void Store::close() {
   auto& self = *implementation_;
   self.check(self.handle.close(), "close");
   self.check_writes("close");
-  self.guard.journal.reset();
   if (self.safety == Safety::marked) {
     seal(self.file);
     UndoJournal::discard(self.file);
   }
+  self.guard.journal.reset(); // who waits for the file waits until here
 }
 
 std::size_t Store::chunk_rows(std::size_t row_bytes) {

@@ -1,10 +1,12 @@
 #include "workflows/store/undo_journal.hpp"
 #include "md/error.hpp"
+#include "workflows/store/file_lock.hpp"
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <fcntl.h>
 #include <map>
+#include <sys/file.h>
 #include <utility>
 
 namespace mesobridge::workflows {
@@ -109,6 +111,8 @@ void UndoJournal::begin(std::unordered_set<std::uint64_t> const& pages) {
   sync(source_, file_);
   auto const path = journal_of(file_), fresh = std::filesystem::path(path).concat(".new");
   Descriptor journal(fresh, O_WRONLY | O_CREAT | O_TRUNC);
+  flock(journal.get(),
+        LOCK_EX | LOCK_NB); // nobody else has it open; where there are no locks, none is waited for
   Header header{.length = digest_.length(), .digest = digest_.value()};
   header.crc = header.own_crc();
   write_all(journal, bytes_of(header), fresh);
@@ -185,6 +189,16 @@ void UndoJournal::protect_beyond(std::uint64_t length) {
 
 bool UndoJournal::exists(std::filesystem::path const& file) {
   return std::filesystem::exists(journal_of(file));
+}
+
+void UndoJournal::wait_for_writer(std::filesystem::path const& file) {
+  try {
+    if (exists(file))
+      FileLock(journal_of(file), FileLock::Kind::shared, FileLock::usual_patience(FileLock::Kind::exclusive));
+  } catch (EnvironmentError const&) {
+    if (exists(file)) // not taken away meanwhile
+      throw;
+  }
 }
 
 void UndoJournal::roll_back(std::filesystem::path const& file) {

@@ -36,6 +36,9 @@ class UndoJournal {
   void renew();
 
   static bool exists(std::filesystem::path const& file);
+  /// Waits until a writer that has closed the file has taken its journal away, too: it holds the journal's
+  /// lock until then. Returns at once when there is no journal, or that of a dead writer.
+  static void wait_for_writer(std::filesystem::path const& file);
   /// Returns the file to the state at which its journal began; may itself be broken off and repeated. The
   /// journal stays. Nothing happens without a journal. Throws EnvironmentError, and before it touches the
   /// file when the journal or what it cannot undo is damaged.
