@@ -1,25 +1,9 @@
 #pragma once
+#include "md/dimension.hpp"
 #include <string>
 #include <string_view>
 
 namespace mesobridge::workflows {
-
-/// What a quantity measures: it decides which units are allowed.
-enum class Dimension {
-  mass,
-  length,
-  time,
-  temperature,
-  density,
-  velocity,
-  pressure,
-  energy,
-  viscosity,
-  friction,
-  force,
-  conductivity,
-  conduction ///< of heat between two particles by their inverse temperatures
-};
 
 /// Reads "500 m/s" as a value in SI. Throws InputError that says what is wrong and which units are allowed;
 /// the message does not name the key, the caller does.

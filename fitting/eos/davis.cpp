@@ -6,7 +6,7 @@ namespace mesobridge::fitting {
 /// The bounds hold the published sets of high explosives: PBX 9501 and 9502, HMX, TATB.
 Description<DavisParameters> const& Davis::description() {
   using P = DavisParameters;
-  constexpr Allowed above_1{1, false, "must be > 1 and finite"};
+  constexpr NumberRange above_1{.min = 1, .open = true};
   static Description<P> const description{
       .kind = "davis",
       .material = "detonation products (Davis)",

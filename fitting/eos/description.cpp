@@ -9,8 +9,8 @@ double FromData::in(DataSummary const& data) const {
 }
 
 void refuse_parameter(std::string_view model, std::string_view parameter, double value,
-                      Allowed const& allowed) {
-  throw InputError(fmt::format("{} {} = {}: {}", model, parameter, value, allowed.text));
+                      NumberRange const& allowed) {
+  throw InputError(fmt::format("{} {} = {}: {}", model, parameter, value, allowed.demand()));
 }
 
 } // namespace mesobridge::fitting

@@ -1,7 +1,7 @@
 #pragma once
+#include "md/number_range.hpp"
 #include <cmath>
 #include <concepts>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,17 +10,6 @@
 namespace mesobridge::fitting {
 
 struct DataSummary; // fitting/data_summary.hpp
-
-/// The values that a parameter may have: finite ones above a bound.
-struct Allowed {
-  double above;
-  bool or_equal;
-  std::string_view text; ///< "must be ..."
-  bool contains(double x) const { return std::isfinite(x) && (or_equal ? x >= above : x > above); }
-};
-inline constexpr Allowed positive{0, false, "must be > 0 and finite"};
-inline constexpr Allowed not_negative{0, true, "must be >= 0 and finite"};
-inline constexpr Allowed any_number{-std::numeric_limits<double>::infinity(), false, "must be finite"};
 
 /// A number that a fit starts from or is bounded by: itself, or a multiple of what the data say.
 class FromData {
@@ -59,7 +48,7 @@ struct ParameterDescription {
   std::string_view name; ///< "rho_0"
   std::string_view unit; ///< "kg/m^3"; empty for pure numbers
   std::string_view meaning;
-  Allowed allowed;
+  NumberRange allowed;
   FitRange fit;
   std::optional<double> if_missing = std::nullopt; ///< for keys that older files do not have
 
@@ -123,7 +112,7 @@ concept DescribedModel = requires(Model const& model) {
 
 /// Throws the InputError of `require`.
 [[noreturn]] void refuse_parameter(std::string_view model, std::string_view parameter, double value,
-                                   Allowed const& allowed);
+                                   NumberRange const& allowed);
 
 /// The parameters, once each has been found to be allowed; throws InputError that names model, parameter and
 /// value otherwise.

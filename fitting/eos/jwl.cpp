@@ -4,10 +4,9 @@
 namespace mesobridge::fitting {
 namespace {
 
-constexpr Allowed below_impedance{0, false, "must lie between 0 and rho_0 D_CJ^2"};
-
 JwlParameters const& valid(JwlParameters const& p) {
-  require(checked<Jwl>(p).P_CJ < p.rho_0 * p.D_CJ * p.D_CJ, "JWL P_CJ", p.P_CJ, below_impedance.text);
+  require(checked<Jwl>(p).P_CJ < p.rho_0 * p.D_CJ * p.D_CJ, "JWL P_CJ", p.P_CJ,
+          "must lie between 0 and rho_0 D_CJ^2");
   return p;
 }
 
@@ -34,7 +33,7 @@ Description<JwlParameters> const& Jwl::description() {
            {&P::E_0, "E_0", "J/kg", "energy of the explosive", any_number, fixed({1, &Data::e_explosive})},
            {&P::D_CJ, "D_CJ", "m/s", "detonation velocity: with P_CJ and T_CJ it sets K and C_ek", positive,
             fitted({1, &Data::D_CJ}, 1e3, 1.2e4)},
-           {&P::P_CJ, "P_CJ", "Pa", "Chapman-Jouguet pressure", below_impedance,
+           {&P::P_CJ, "P_CJ", "Pa", "Chapman-Jouguet pressure", positive,
             fixed({1, &Data::P_CJ}, 1e9, 6e10).by_logarithm()},
            {&P::T_CJ, "T_CJ", "K", "Chapman-Jouguet temperature", positive, fitted(3000, 300, 1.2e4)},
            {&P::c_v, "c_v", "J/(kg K)", "heat capacity", positive, fitted(2000, 200, 1e4).by_logarithm()},

@@ -10,7 +10,7 @@ namespace mesobridge::fitting {
 Description<MieGruneisenParameters> const& MieGruneisen::description() {
   using P = MieGruneisenParameters;
   constexpr auto rho_start = &DataSummary::rho_start;
-  constexpr Allowed above_minus_1{-1, false, "must be > -1 and finite"};
+  constexpr NumberRange above_minus_1{.min = -1, .open = true};
   static Description<P> const description{
       .kind = "mie-gruneisen",
       .material = "metals and liquids under shock (Mie-Gruneisen)",

@@ -7,7 +7,7 @@ namespace mesobridge::fitting {
 Description<StiffenedGasParameters> const& StiffenedGas::description() {
   using P = StiffenedGasParameters;
   constexpr auto v_min = &DataSummary::v_min;
-  constexpr Allowed above_1{1, false, "must be > 1 and finite"};
+  constexpr NumberRange above_1{.min = 1, .open = true};
   static Description<P> const description{
       .kind = "stiffened-gas",
       .material = "liquids (stiffened gas of Noble and Abel)",

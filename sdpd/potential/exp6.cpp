@@ -20,7 +20,7 @@ double maximum(double alpha) {
 Exp6::Exp6(double epsilon, double r_m, double alpha, double cutoff)
     : epsilon_(epsilon), r_m_(r_m), alpha_(alpha), cutoff_(cutoff), scale_(epsilon / (alpha - 6)) {
   potential_depth.check("exp-6", epsilon);
-  minimum.check("exp-6", r_m);
+  potential_minimum.check("exp-6", r_m);
   steepness.check("exp-6", alpha);
   inner_ = r_m * maximum(alpha);
   require(cutoff > inner_ && std::isfinite(cutoff), "exp-6 cutoff", cutoff,

@@ -10,19 +10,14 @@ namespace mesobridge::sdpd {
 /// it falls without bound: pairs nearer than inner() are outside the model.
 class Exp6 {
  public:
-  static constexpr Parameter minimum{
-      .name = "r_m", .unit = Parameter::Unit::length, .meaning = "distance of the minimum", .above = true};
-  static constexpr Parameter steepness{.name = "alpha",
-                                       .meaning = "steepness; up to 7 there is no minimum",
-                                       .min = 7,
-                                       .above = true,
-                                       .max = 100};
+  static constexpr Parameter steepness{
+      "alpha", std::nullopt, "steepness; up to 7 there is no minimum", {.min = 7, .open = true, .max = 100}};
 
   Exp6(double epsilon, double r_m, double alpha, double cutoff);
   static std::vector<PotentialKind<Exp6>> kinds() {
     return {{"exp-6",
              "Buckingham's, which refuses pairs inside its maximum",
-             {potential_depth, minimum, steepness, potential_end},
+             {potential_depth, potential_minimum, steepness, potential_end},
              [](auto x) { return Exp6(x[0], x[1], x[2], x[3]); }}};
   }
   Exp6 in_units(double length, double energy) const {

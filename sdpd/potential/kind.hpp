@@ -6,14 +6,11 @@
 namespace mesobridge::sdpd {
 
 /// Parameters that several potentials have.
-inline constexpr Parameter potential_depth{.name = "epsilon",
-                                           .unit = Parameter::Unit::energy,
-                                           .meaning = "depth of the minimum, before a shift",
-                                           .above = true};
-inline constexpr Parameter potential_end{.name = "cutoff",
-                                         .unit = Parameter::Unit::length,
-                                         .meaning = "where the potential ends and is shifted to zero",
-                                         .above = true};
+inline constexpr Parameter potential_depth{"epsilon", Dimension::energy,
+                                           "depth of the minimum, before a shift", positive};
+inline constexpr Parameter potential_minimum{"r_m", Dimension::length, "distance of the minimum", positive};
+inline constexpr Parameter potential_end{"cutoff", Dimension::length,
+                                         "where the potential ends and is shifted to zero", positive};
 
 /// A pair potential as scenes know it: each class of potentials lists its own in kinds().
 template <class Potential>

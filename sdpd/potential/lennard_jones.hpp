@@ -7,8 +7,7 @@ namespace mesobridge::sdpd {
 /// 4 epsilon [(sigma/r)^12 - (sigma/r)^6], cut at r_c and shifted to zero there.
 class LennardJones {
  public:
-  static constexpr Parameter zero{
-      .name = "sigma", .unit = Parameter::Unit::length, .meaning = "where it is zero", .above = true};
+  static constexpr Parameter zero{"sigma", Dimension::length, "where it is zero", positive};
 
   LennardJones(double epsilon, double sigma, double cutoff)
       : epsilon_(epsilon), sigma_(sigma), cutoff_(cutoff) {

@@ -9,25 +9,22 @@ namespace mesobridge::sdpd {
 /// (P. M. Morse, Phys. Rev. 34 (1929) 57), cut at r_c and shifted to zero there.
 class Morse {
  public:
-  static constexpr Parameter minimum{
-      .name = "r_m", .unit = Parameter::Unit::length, .meaning = "distance of the minimum", .above = true};
-  static constexpr Parameter width{.name = "width",
-                                   .unit = Parameter::Unit::length,
-                                   .meaning = "1/alpha, over which the well rises again",
-                                   .above = true};
+  static constexpr Parameter width{"width", Dimension::length, "1/alpha, over which the well rises again",
+                                   positive};
 
   Morse(double epsilon, double r_m, double width_of_well, double cutoff)
       : epsilon_(epsilon), r_m_(r_m), width_(width_of_well), cutoff_(cutoff) {
     potential_depth.check("Morse", epsilon);
-    minimum.check("Morse", r_m);
+    potential_minimum.check("Morse", r_m);
     width.check("Morse", width_of_well);
     potential_end.check("Morse", cutoff);
     shift_ = (*this)(cutoff, 1 / cutoff).energy;
   }
   static std::vector<PotentialKind<Morse>> kinds() {
-    return {{"morse", "cut and shifted", {potential_depth, minimum, width, potential_end}, [](auto x) {
-               return Morse(x[0], x[1], x[2], x[3]);
-             }}};
+    return {
+        {"morse", "cut and shifted", {potential_depth, potential_minimum, width, potential_end}, [](auto x) {
+           return Morse(x[0], x[1], x[2], x[3]);
+         }}};
   }
   Morse in_units(double length, double energy) const {
     return {epsilon_ / energy, r_m_ / length, width_ / length, cutoff_ / length};

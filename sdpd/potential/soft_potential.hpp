@@ -8,7 +8,7 @@ namespace mesobridge::sdpd {
 /// (a r_c/2)(1 - r/r_c)^2 up to the cut-off r_c.
 class SoftPotential {
  public:
-  static constexpr Parameter largest_force{"a", Parameter::Unit::force, "largest force"};
+  static constexpr Parameter largest_force{"a", Dimension::force, "largest force", not_negative};
 
   SoftPotential(double a, double cutoff) : a_(a), cutoff_(cutoff), inverse_cutoff_(1 / cutoff) {
     largest_force.check("soft repulsion", a);

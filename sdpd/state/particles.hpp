@@ -1,5 +1,6 @@
 #pragma once
 #include "md/box.hpp"
+#include "md/dimension.hpp"
 #include "sdpd/state/caloric.hpp"
 #include <array>
 #include <cstdint>
@@ -36,9 +37,6 @@ struct Particles {
 
   void resize(std::size_t n, Features const& has = {});
 };
-
-/// The unit of a field.
-enum class Dimension { energy, density, entropy, temperature, pressure };
 
 /// A scalar of the particles, declared once: re-sorting, checkpoints, snapshots, histograms, profiles,
 /// trajectories and the estimate of the disk that a run takes go through the table.

@@ -1,5 +1,6 @@
 #include "fuzz/child.hpp"
 #include "fuzz/judge.hpp"
+#include "scratch_directory.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/command_line.hpp"
 #include "workflows/text_file.hpp"
@@ -115,19 +116,17 @@ int main(int argc, char** argv) {
   } catch (CLI::ParseError const& error) {
     return app.exit(error);
   }
-  auto pattern = (fs::temp_directory_path() / "mesobridge-fuzz-XXXXXX").string();
-  fs::path const scratch = mkdtemp(pattern.data());
+  mesobridge::tests::ScratchDirectory const scratch;
   std::size_t passed = 0, failed = 0;
   for (auto const& kind : kinds()) {
     if (!options.kinds.empty() && std::ranges::find(options.kinds, kind.name) == options.kinds.end())
       continue;
-    auto const tally = run(options, kind, scratch);
+    auto const tally = run(options, kind, scratch.path());
     std::cout << fmt::format("{}: {} trials, by exit status {}, {} faults\n", kind.name, options.count,
                              tally.by_status, tally.faults)
               << std::flush;
     passed += options.count - tally.faults, failed += tally.faults;
   }
-  fs::remove_all(scratch);
   std::cout << fmt::format("{} passed, {} failed\n", passed, failed);
   return failed == 0 && passed > 0 ? 0 : 1;
 }

@@ -25,19 +25,6 @@ std::string type_name(SceneKey const& key) {
 
 } // namespace
 
-bool Range::contains(double value) const {
-  return std::isfinite(value) && (open ? value > min : value >= min) && value <= max;
-}
-
-std::string Range::text() const {
-  bool const below = std::isfinite(min), above = std::isfinite(max);
-  if (below && above)
-    return open ? fmt::format("> {} and <= {}", min, max) : fmt::format("from {} to {}", min, max);
-  if (below)
-    return fmt::format("{} {}", open ? ">" : ">=", min);
-  return above ? fmt::format("<= {}", max) : "";
-}
-
 bool SceneKey::belongs_to(std::string const& method) const {
   return methods.empty() || std::ranges::find(methods, method) != methods.end();
 }

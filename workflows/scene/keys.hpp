@@ -1,8 +1,8 @@
 #pragma once
+#include "md/number_range.hpp"
 #include "workflows/quantity.hpp"
 #include "workflows/scene/scene.hpp"
 #include <functional>
-#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,24 +13,13 @@ namespace mesobridge::workflows {
 using Slot = std::variant<std::string*, std::optional<std::string>*, std::int64_t*, double*,
                           std::optional<double>*, std::vector<std::string>*, TimeStep*, UnitSystem*>;
 
-/// The numbers that a key allows: all finite ones from the minimum (itself excluded if `open`) to the
-/// maximum.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  bool open = false;
-  double max = std::numeric_limits<double>::infinity();
-
-  bool contains(double value) const;
-  std::string text() const; ///< "> 0", "from 1 to 10", or nothing
-};
-
 /// One key of a scene file.
 struct SceneKey {
   std::string section; ///< empty for the keys at the top
   std::string name;
   std::function<Slot(Scene&)> slot;
   std::optional<Dimension> dimension; ///< of a quantity: then SI scenes give it as a string with a unit
-  Range range;
+  NumberRange range;
   std::vector<std::string> choices; ///< of a text, or of the texts of a list; empty: any
   bool required = false;            ///< if not, the default is that of a fresh Scene
   std::vector<std::string> methods; ///< the methods that have the key; empty: all

@@ -116,20 +116,21 @@ OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
   density_key = "_kg_m3", momentum_key = "_kg_m_s";
 }
 
-std::pair<double, std::string> OutputUnits::of(sdpd::Dimension dimension) const {
+std::pair<double, std::string> OutputUnits::of(Dimension dimension) const {
   switch (dimension) {
-  case sdpd::Dimension::energy:
+  case Dimension::energy:
     return {energy, energy_key};
-  case sdpd::Dimension::density:
+  case Dimension::density:
     return {density, density_key};
-  case sdpd::Dimension::entropy:
+  case Dimension::entropy:
     return {entropy, entropy_key};
-  case sdpd::Dimension::temperature:
+  case Dimension::temperature:
     return {temperature, temperature_key};
-  case sdpd::Dimension::pressure:
+  case Dimension::pressure:
     return {pressure, pressure_key};
+  default:
+    throw std::logic_error("no field of the particles has this dimension");
   }
-  throw std::logic_error("a dimension without a unit");
 }
 
 } // namespace mesobridge::workflows

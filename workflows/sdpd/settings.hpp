@@ -48,7 +48,7 @@ struct OutputUnits {
   OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system);
 
   /// Of a field of the particles: the factor, and the end of its key.
-  std::pair<double, std::string> of(sdpd::Dimension dimension) const;
+  std::pair<double, std::string> of(Dimension dimension) const;
 };
 
 } // namespace mesobridge::workflows

@@ -45,7 +45,7 @@ Store::Store(std::filesystem::path file, Mode mode, Safety safety)
     return;
   }
   Hdf5Handle handle(H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose);
-  if (!handle.valid()) { // perhaps somebody looked whether it is locked, for a moment
+  if (!handle.valid()) { // a lock that was held for a moment only is no reason
     wait_for_others(mode == Mode::read ? FileLock::Kind::shared : FileLock::Kind::exclusive);
     handle = {H5Fopen(name.c_str(), flags, self.access(mode).get()), H5Fclose};
   }

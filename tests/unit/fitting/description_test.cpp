@@ -68,8 +68,8 @@ TEST(Description, ParametersThatAreNotAllowedAreRefusedByName) {
   int const models = for_each_kind([&]<class Model>() {
     for (auto const& parameter : Model::description().parameters) {
       std::vector<double> values{NAN, infinity, -infinity};
-      if (auto const& allowed = parameter.allowed; std::isfinite(allowed.above))
-        values.push_back(allowed.or_equal ? std::nextafter(allowed.above, -infinity) : allowed.above);
+      if (auto const& allowed = parameter.allowed; std::isfinite(allowed.min))
+        values.push_back(allowed.open ? allowed.min : std::nextafter(allowed.min, -infinity));
       for (double const value : values) {
         auto spoilt = Model::description().materials.front().parameters;
         spoilt.*parameter.member = value;

@@ -94,7 +94,7 @@ TEST(Fields, AreCheckedWhenARunGoesOn) {
     }
     EXPECT_EQ(error_of(simulation, simulation.checkpoint()), "");
   }
-  EXPECT_EQ(refused, 5);
+  EXPECT_GE(refused, 5);
 }
 
 } // namespace

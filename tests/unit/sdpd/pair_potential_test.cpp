@@ -73,8 +73,8 @@ TEST_P(EveryPotential, IsTheSameInOtherUnits) {
 
 /// A value of a potential's parameter that suits the others.
 double usual(Parameter const& parameter) {
-  if (parameter.unit == Parameter::Unit::none)
-    return parameter.min > 0 ? 2 * parameter.min : 1;
+  if (!parameter.dimension)
+    return parameter.range.min > 0 ? 2 * parameter.range.min : 1;
   return parameter.name == "cutoff" ? 2.5 : 1;
 }
 
@@ -110,8 +110,8 @@ TEST(PotentialKinds, RefuseWhatTheirParametersDoNotAllow) {
   for (auto const& kind : potentials())
     for (std::size_t k = 0; k < kind.parameters.size(); ++k) {
       auto const& parameter = kind.parameters[k];
-      for (double const wrong :
-           {parameter.above ? parameter.min : parameter.min - 1, parameter.max * 1.01, std::nan("")}) {
+      auto const& range = parameter.range;
+      for (double const wrong : {range.open ? range.min : range.min - 1, range.max * 1.01, std::nan("")}) {
         auto values = usual_values(kind);
         values[k] = wrong;
         try {

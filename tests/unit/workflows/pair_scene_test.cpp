@@ -41,7 +41,8 @@ TEST(PairScene, TakesEveryPotentialByItsOwnKeys) {
   for (auto const& kind : sdpd::potentials()) {
     std::vector<std::string> lines;
     for (auto const& parameter : kind.parameters)
-      lines.push_back(fmt::format("{} = {}\n", parameter.name, parameter.min > 0 ? 2 * parameter.min : 1));
+      lines.push_back(
+          fmt::format("{} = {}\n", parameter.name, parameter.range.min > 0 ? 2 * parameter.range.min : 1));
     auto const with = [&](std::vector<std::string> const& given) {
       return replaced(dpde, "name = \"soft\"\na = 25\ncutoff = 1\n",
                       fmt::format("name = \"{}\"\n{}", kind.name, fmt::join(given, "")));

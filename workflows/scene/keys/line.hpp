@@ -4,9 +4,7 @@
 
 namespace mesobridge::workflows {
 
-inline constexpr Range positive{.min = 0, .open = true};
-inline constexpr Range not_negative{.min = 0};
-inline constexpr Range at_least_one{.min = 1};
+inline constexpr NumberRange at_least_one{.min = 1};
 
 inline std::vector<std::string> const sdpd_only{"sdpd"}, pair_methods{"dpde", "dpd"};
 
@@ -22,8 +20,8 @@ struct Line {
   Line of(std::vector<std::string> methods) && { return key.methods = std::move(methods), std::move(*this); }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
-  Line in(Range range) && { return key.range = range, std::move(*this); }
-  Line quantity(Dimension dimension, Range range) && {
+  Line in(NumberRange range) && { return key.range = range, std::move(*this); }
+  Line quantity(Dimension dimension, NumberRange range) && {
     key.dimension = dimension;
     key.range = range;
     return std::move(*this);

@@ -9,20 +9,6 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::optional<Dimension> dimension_of(sdpd::Parameter const& parameter) {
-  switch (parameter.unit) {
-  case sdpd::Parameter::Unit::none:
-    return std::nullopt;
-  case sdpd::Parameter::Unit::length:
-    return Dimension::length;
-  case sdpd::Parameter::Unit::energy:
-    return Dimension::energy;
-  case sdpd::Parameter::Unit::force:
-    return Dimension::force;
-  }
-  throw std::logic_error("a parameter without a unit");
-}
-
 std::string names_with(sdpd::Parameter const& parameter) {
   std::vector<std::string_view> names;
   for (auto const& kind : sdpd::potentials())
@@ -36,9 +22,9 @@ SceneKey key_of(sdpd::Parameter const& parameter) {
                      "potential", std::string(parameter.name),
                      [name = parameter.name](Scene& s) { return &s.potential.parameters[name]; },
                      fmt::format("{}; {}", parameter.meaning, names_with(parameter)))
-                     .in({.min = parameter.min, .open = parameter.above, .max = parameter.max})
+                     .in(parameter.range)
                      .of(pair_methods);
-  key.dimension = dimension_of(parameter);
+  key.dimension = parameter.dimension;
   return key;
 }
 

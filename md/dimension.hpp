@@ -1,0 +1,23 @@
+#pragma once
+
+namespace mesobridge {
+
+/// What a quantity measures: it decides which units it is read and written in.
+enum class Dimension {
+  mass,
+  length,
+  time,
+  temperature,
+  density,
+  velocity,
+  pressure,
+  energy,
+  entropy,
+  viscosity,
+  friction,
+  force,
+  conductivity,
+  conduction ///< of heat between two particles by their inverse temperatures
+};
+
+} // namespace mesobridge
