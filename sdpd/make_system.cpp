@@ -2,14 +2,11 @@
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/state/random.hpp"
+#include "sdpd/thermodynamics/mixture.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
 namespace {
-
-std::size_t particle_count(SimulationSettings const& s) {
-  return std::size_t{s.lattice[0]} * s.lattice[1] * s.lattice[2];
-}
 
 /// Positions on a simple cubic lattice whose spacing is the mean distance between particles, with Gaussian
 /// displacements, ids in its order.
@@ -32,14 +29,18 @@ void place_on_lattice(Particles& particles, SimulationSettings const& settings) 
 void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
   NoiseSource const source(seed, Stream::initial_velocities, 0);
   Vec3 sum{};
+  double mass = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     auto const G = gaussians_reference(source, particles.id[i], 0);
-    sum += particles.p[i] = {G[0], G[1], G[2]};
+    double const m = particles.mass_of(i);
+    sum += particles.p[i] = std::sqrt(m) * Vec3{G[0], G[1], G[2]}, mass += m;
   }
   double const count = static_cast<double>(particles.size());
   double square = 0;
-  for (auto& p : particles.p)
-    square += norm2(p -= sum / count);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double const m = particles.mass_of(i);
+    square += norm2(particles.p[i] -= m * (sum / mass)) / m;
+  }
   double const scale = std::sqrt(3 * (count - 1) * boltzmann / square);
   for (auto& p : particles.p)
     p *= scale;
@@ -56,12 +57,39 @@ AnyConduction conduction_of(SimulationSettings const& s) {
   return SdpdConduction{s.kappa / s.units().conductivity(), noise_boltzmann(s)};
 }
 
+template <class AnySpecies, class Make>
+std::unique_ptr<Thermodynamics const> mixture_of(std::vector<AnySpecies> const& species, Make const& make) {
+  std::vector<std::unique_ptr<Thermodynamics const>> parts;
+  for (auto const& of : species)
+    parts.push_back(make(of));
+  return make_mixture(std::move(parts));
+}
+
+std::unique_ptr<Thermodynamics const> sdpd_thermodynamics(SimulationSettings const& s) {
+  if (s.species.empty())
+    return make_thermodynamics(s.eos, s.units(), centre_of_mass_of(s));
+  return mixture_of(s.species, [&](SdpdSpecies const& of) {
+    return make_thermodynamics(of.eos, s.units(), centre_of_mass_of(s),
+                               {of.K, mass_of(of) / s.units().mass()});
+  });
+}
+
+std::unique_ptr<Thermodynamics const> pair_thermodynamics(PairFluid const& fluid, ReducedUnits const& units) {
+  if (!fluid.follows_energy())
+    return nullptr;
+  if (fluid.species.empty())
+    return make_thermodynamics(*fluid.internal_energy, units);
+  return mixture_of(fluid.species,
+                    [&](PairSpecies const& of) { return make_thermodynamics(*of.internal_energy, units); });
+}
+
 System sdpd_system(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
-  AnyKernel const kernel = make_kernel(s.kernel, s.h_factor, s.density_correction.scale);
+  AnyKernel const kernel = make_kernel(s.kernel, s.range(), s.density_correction.scale);
   return {
       .box = box_of(s),
-      .thermodynamics = make_thermodynamics(s.eos, units, centre_of_mass_of(s)),
+      .species = s.reduced_species(),
+      .thermodynamics = sdpd_thermodynamics(s),
       .kernel = kernel,
       .self_density = self_density(kernel, s.density_correction),
       .potential = NoPotential{},
@@ -77,8 +105,8 @@ System pair_fluid_system(SimulationSettings const& s) {
   ReducedUnits const units = s.units();
   auto const& fluid = *s.pair_fluid;
   return {.box = box_of(s),
-          .thermodynamics =
-              fluid.follows_energy() ? make_thermodynamics(*fluid.internal_energy, units) : nullptr,
+          .species = s.reduced_species(),
+          .thermodynamics = pair_thermodynamics(fluid, units),
           .kernel = CubicKernel(s.range()),
           .self_density = 0,
           .potential = fluid.reduced_potential(units),
@@ -93,8 +121,11 @@ System pair_fluid_system(SimulationSettings const& s) {
 std::unique_ptr<System> build(SimulationSettings const& s) {
   auto system = std::make_unique<System>(s.pair_fluid ? pair_fluid_system(s) : sdpd_system(s));
   system->dt = s.dt;
-  system->particles.resize(particle_count(s), s.features());
+  system->particles.resize(s.particle_count(), s.features());
   place_on_lattice(system->particles, s);
+  if (!system->species.empty())
+    system->species_of_id = draw_species(system->species, s.particle_count(), s.seed);
+  system->label_particles();
   if (s.noise)
     draw_momenta(system->particles, system->boltzmann, s.seed);
   std::fill(system->particles.T.begin(), system->particles.T.end(), 1.0);

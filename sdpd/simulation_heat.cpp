@@ -48,10 +48,10 @@ void Simulation::draw_temperatures() {
   auto& particles = system_->particles;
   std::fill(particles.T.begin(), particles.T.end(), 1.0);
   auto const C = heat_capacities(*system_);
-  bool const small = system_->has_densities() ? units_.K < 50 : C.front() < 50;
-  if (!small) {
-    NoiseSource const source(system_->seed, Stream::initial_energies, system_->step);
-    for (std::size_t i = 0; i < particles.size(); ++i) // C counts in K k_B
+  NoiseSource const source(system_->seed, Stream::initial_energies, system_->step);
+  for (std::size_t i = 0; i < particles.size(); ++i) { // C counts in K k_B
+    bool const small = system_->has_densities() ? units_.K * particles.mass_of(i) < 50 : C[i] < 50;
+    if (!small)
       particles.T[i] += std::sqrt(1 / (units_.K * C[i])) * gaussians_reference(source, particles.id[i], 0)[0];
   }
   set_energies_from_temperatures(*system_);

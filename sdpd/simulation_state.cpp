@@ -60,6 +60,7 @@ Snapshot Simulation::snapshot() const {
     auto const id = particles.id[i];
     s.id[id] = id, s.q[id] = box().wrap(particles.q[i]), s.p[id] = particles.p[i];
   }
+  s.species = system_->species_of_id;
   for (auto const& field : fields) {
     auto const& values = particles.*field.values;
     (s.*field.values).resize(values.size());
@@ -93,6 +94,7 @@ void Simulation::restore(Checkpoint const& c) {
   check_values(c, box());
   // The lists of the checkpoint are those of its last renewal: renew them there, then move on.
   take_checkpointed(particles, c.particles);
+  system_->label_particles();
   particles.q = c.q_at_renewal;
   system_->neighbours.renew(particles);
   particles.q = c.particles.q;
@@ -106,6 +108,7 @@ void Simulation::begin_from(Checkpoint const& c) {
   auto& particles = system_->particles;
   check_lengths(c, particles);
   take_checkpointed(particles, c.particles);
+  system_->label_particles();
   system_->step = c.step;
   system_->neighbours.renew(particles);
   refresh(*system_);

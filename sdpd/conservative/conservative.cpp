@@ -21,10 +21,16 @@ void kick(System& system, double dt) {
 
 void kick_and_drift(System& system, double kick_dt, double drift_dt) {
   auto& particles = system.particles;
-  for_each_index(particles.size(), system.threads, [&](std::size_t i) {
-    particles.p[i] += particles.f[i] * kick_dt;
-    particles.q[i] += particles.p[i] * drift_dt;
-  });
+  auto move = [&](auto const& inverse_mass) {
+    for_each_index(particles.size(), system.threads, [&](std::size_t i) {
+      particles.p[i] += particles.f[i] * kick_dt;
+      particles.q[i] += particles.p[i] * (drift_dt * inverse_mass(i));
+    });
+  };
+  if (particles.mass.empty())
+    move([](std::size_t) { return 1.0; });
+  else
+    move([&](std::size_t i) { return 1 / particles.mass[i]; });
 }
 
 void refresh_lists(System& system) {

@@ -1,6 +1,7 @@
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/neighbours/for_each_block.hpp"
 #include "sdpd/neighbours/select_pairs.hpp"
+#include "sdpd/system/masses.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -11,9 +12,9 @@ struct Scratch {
   std::vector<double> W, rho;
 };
 
-template <class Kernel>
-void add_densities(Kernel const& kernel, std::span<LocalPair const> pairs, std::size_t particles,
-                   Scratch& scratch) {
+template <class Kernel, class Masses>
+void add_densities(Kernel const& kernel, Masses const& mass, std::span<LocalPair const> pairs,
+                   std::size_t particles, Scratch& scratch) {
   std::size_t const count = pairs.size();
   scratch.W.resize(count + lane_count);
   for (std::size_t k = 0; k < count; k += lane_count)
@@ -21,25 +22,36 @@ void add_densities(Kernel const& kernel, std::span<LocalPair const> pairs, std::
   scratch.rho.assign(particles, 0);
   double* const rho = scratch.rho.data();
   for (std::size_t k = 0; k < count; ++k) {
-    rho[pairs[k].i] += scratch.W[k];
-    rho[pairs[k].j] += scratch.W[k];
+    rho[pairs[k].i] += mass[pairs[k].j] * scratch.W[k];
+    rho[pairs[k].j] += mass[pairs[k].i] * scratch.W[k];
   }
 }
 
-template <class Kernel>
-void find_pairs_and_densities(System& system, Kernel const& kernel) {
+void set_self_densities(System& system, UnitMasses) {
+  set_all(system, system.particles.rho, system.self_density);
+}
+void set_self_densities(System& system, OwnMasses) {
+  auto& particles = system.particles;
+  for_each_index(particles.size(), system.threads,
+                 [&](std::size_t i) { particles.rho[i] = particles.mass[i] * system.self_density; });
+}
+
+template <class Kernel, class Masses>
+void find_pairs_and_densities(System& system, Kernel const& kernel, Masses) {
   auto& particles = system.particles;
   auto& neighbours = system.neighbours;
   double const out_of_range = 2 * neighbours.range();
-  set_all(system, particles.rho, system.self_density);
+  set_self_densities(system, Masses{});
   for_each_block(neighbours.grid(), system.threads, [&](std::size_t block) {
     thread_local Scratch scratch;
+    thread_local Masses masses;
     auto const members = neighbours.members(block);
     std::size_t const n = size(members);
     copy_rows(
         members, particles.q, [](Index) { return 0.0; }, out_of_range, scratch.rows);
     select_pairs_and_distances(neighbours, block, scratch.rows, scratch.selection);
-    add_densities(kernel, neighbours.pairs(block), n, scratch);
+    masses.copy_in(system, members);
+    add_densities(kernel, masses, neighbours.pairs(block), n, scratch);
     for_each_member(members,
                     [&](std::size_t local, Index i, Vec3 const&) { particles.rho[i] += scratch.rho[local]; });
   });
@@ -48,7 +60,9 @@ void find_pairs_and_densities(System& system, Kernel const& kernel) {
 } // namespace
 
 void find_pairs_and_densities(System& system) {
-  std::visit([&](auto const& kernel) { find_pairs_and_densities(system, kernel); }, system.kernel);
+  with_masses(system, [&](auto masses) {
+    std::visit([&](auto const& kernel) { find_pairs_and_densities(system, kernel, masses); }, system.kernel);
+  });
 }
 
 } // namespace mesobridge::sdpd

@@ -1,5 +1,6 @@
 #include "sdpd/fluctuation/exact_pair.hpp"
 #include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/state/pair_counts.hpp"
 
 namespace mesobridge::sdpd {
@@ -22,7 +23,8 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
   auto const [par, perp] = step_of(sweep, geometry.weight, pair_.now());
   auto &a = pair_[0], &b = pair_[1];
   Vec3 const& e = geometry.e;
-  Vec3 const v = a.p - b.p;
+  VelocityScale<double> const scale(pair_.masses());
+  Vec3 const v = scale.velocity(a.p, b.p);
   Vec3 const dv = perp.decay * v + perp.kick() * noise.G +
                   ((par.decay - perp.decay) * dot(e, v) + (par.kick() - perp.kick()) * dot(e, noise.G)) * e;
   double const heat = -0.125 * dot(dv, 2 * v + dv);
@@ -40,7 +42,8 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
     ++counts.metropolis;
     return;
   }
-  a.p += 0.5 * dv, b.p -= 0.5 * dv;
+  Vec3 const dp = scale.momentum(0.5 * dv);
+  a.p += dp, b.p -= dp;
   a.u += heat, b.u += heat;
 }
 

@@ -1,4 +1,5 @@
 #include "sdpd/fluctuation/fluctuating_block.hpp"
+#include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/state/random_lanes.hpp"
 #include <algorithm>
 #include <bit>
@@ -85,6 +86,19 @@ void prepare_noise(std::vector<std::uint32_t> const& ids, std::span<LocalPair co
     store_noise<noise>(bits[group], inputs, group * wide_count);
 }
 
+/// The weights of unit masses become those of the pairs' masses.
+template <class Law>
+void scale_weights(Law const& law, OwnMasses const& mass, std::span<LocalPair const> pairs,
+                   PairInputs& inputs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    auto const factor =
+        static_cast<float>(weight_factor(law, PairMasses<double>{mass[pairs[k].i], mass[pairs[k].j]}));
+    inputs.weight[k] *= factor;
+    if constexpr (Law::across == Across::own)
+      inputs.weight_across[k] *= factor;
+  }
+}
+
 /// The noise of a law without any, which is not generated: that would take half of the sweep's time.
 void prepare_silence(PairInputs& inputs) {
   for (auto* values : {&inputs.G_x, &inputs.G_y, &inputs.G_z})
@@ -107,6 +121,9 @@ void BlockGeometry::copy_geometry(System const& system, std::size_t block) {
         members_, from.q, [&](Index i) { return 1 / from.rho[i]; }, in_range, rows_);
   ids_.resize(size_);
   for_each_member(members_, [&](std::size_t local, Index i, Vec3 const&) { ids_[local] = from.id[i]; });
+  has_masses_ = !from.mass.empty();
+  if (has_masses_)
+    std::get<OwnMasses>(masses_).copy_in(system, members_);
 }
 
 void FluctuatingBlock::copy_in(System const& system, std::size_t block) {
@@ -220,6 +237,8 @@ void prepare_pairs(System const& system, Law const& law, BlockGeometry const& bl
   with_weights(system, law, [&](auto const& weights) {
     prepare_directions<Law::across, Law::noise>(block.rows(), block.size(), weights, pairs, inputs);
   });
+  if (!system.particles.mass.empty())
+    scale_weights(law, block.masses(), pairs, inputs);
   if (law.boltzmann == 0)
     prepare_silence(inputs);
   else

@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/neighbours/block_copy.hpp"
 #include "sdpd/state/random.hpp"
+#include "sdpd/system/masses.hpp"
 #include "sdpd/system/system.hpp"
 
 namespace mesobridge::sdpd {
@@ -42,6 +43,15 @@ class BlockGeometry {
   std::vector<FloatRow> const& rows() const { return rows_; }
   std::vector<std::uint32_t> const& ids() const { return ids_; }
   BlockMembers const& members() const { return members_; }
+  /// The masses, of the kind that the fluid's particles have.
+  template <class Masses = OwnMasses>
+  Masses const& masses() const {
+    return std::get<Masses>(masses_);
+  }
+  PairMasses<double> masses_of_pair(LocalPair pair) const {
+    auto mass = [&](std::size_t local) { return has_masses_ ? masses()[local] : 1; };
+    return {mass(pair.i), mass(pair.j)};
+  }
   /// Where the particle is in memory.
   Index index(std::size_t local) const { return global_index(members_, local); }
 
@@ -53,6 +63,8 @@ class BlockGeometry {
   std::size_t size_ = 0;
   std::vector<FloatRow> rows_;
   std::vector<std::uint32_t> ids_;
+  std::tuple<UnitMasses, OwnMasses> masses_;
+  bool has_masses_ = false;
 };
 
 /// A block's particles with energies in a private copy.
@@ -81,6 +93,9 @@ class FluctuatingBlock : public BlockGeometry {
  private:
   std::vector<FluctuatingParticle> particles_;
 };
+
+/// The same of particles that have masses of their own.
+class OwnMassBlock : public FluctuatingBlock {};
 
 /// A block's particles of one constant heat capacity C in a private copy: rows of p and C T, half of what
 /// particles with expansions of their own take.
@@ -144,7 +159,9 @@ void with_weights(System const&, Law const& law, F const& f) {
       law.shape);
 }
 
-/// Directions, weights and noise of some pairs of a block. Lanes past the last pair hold finite numbers.
+/// Directions, weights and noise of some pairs of a block. Where the particles have masses of their own, the
+/// weights are those of the pairs' scaled velocities (scaled_velocity.hpp). Lanes past the last pair hold
+/// finite numbers.
 template <class Law>
 void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs);

@@ -1,5 +1,6 @@
 #include "sdpd/fluctuation/fluctuation_entropy.hpp"
 #include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
 
 namespace mesobridge::sdpd {
@@ -23,14 +24,14 @@ struct PairGeometry {
   Vec3 diagonal, off; ///< of the noise
 };
 
-PairStep step_of(SdpdLaw const& law, double dt, FluctuatingParticle const& i, FluctuatingParticle const& j,
-                 PairGeometry const& pair) {
+PairStep step_of(SdpdLaw const& law, double dt, VelocityScale<double> const& scale,
+                 FluctuatingParticle const& i, FluctuatingParticle const& j, PairGeometry const& pair) {
   double const T_i = i.caloric.T_0, T_j = j.caloric.T_0, k_B = law.boltzmann;
   double const tau = T_i * T_j / (T_i + T_j);
   double const share_i = k_B * i.caloric.inverse_C_0, share_j = k_B * j.caloric.inverse_C_0;
   double const d = tau / (T_i + T_j) * (share_i + share_j);
   double const a = law.friction.perp(pair.chi), b = law.friction.par(pair.chi) - 4 * a / 3;
-  Vec3 const v = i.p - j.p;
+  Vec3 const v = scale.velocity(i.p, j.p);
   double const ev = dot(pair.e, v);
   Vec3 const noise = std::sqrt(dt) * matrix_noise(std::sqrt(8 * k_B * a * tau), std::sqrt(12 * k_B * b * tau),
                                                   pair.e, pair.diagonal, pair.off);
@@ -39,8 +40,8 @@ PairStep step_of(SdpdLaw const& law, double dt, FluctuatingParticle const& i, Fl
   auto entropy = [&](double T, double share, double T_other) {
     return (0.5 * (1 - d - share * T_other / (T_i + T_j)) * dissipated * dt + common) / T;
   };
-  return {-(1 - d) * dt * (a * v + (a / 3 + b) * ev * pair.e) + noise, entropy(T_i, share_i, T_j),
-          entropy(T_j, share_j, T_i)};
+  Vec3 const change = -(1 - d) * dt * (a * v + (a / 3 + b) * ev * pair.e) + noise;
+  return {scale.momentum(change), entropy(T_i, share_i, T_j), entropy(T_j, share_j, T_i)};
 }
 
 void add_steps(System& system, SdpdLaw const& law, double dt, bool second, std::size_t number,
@@ -59,7 +60,8 @@ void add_steps(System& system, SdpdLaw const& law, double dt, bool second, std::
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     auto const [i, j] = pairs[k];
     double const sign = block.ids()[i] < block.ids()[j] ? 1 : -1; // undoes that of prepare_pairs
-    auto const step = step_of(law, dt, block.particles()[i], block.particles()[j],
+    VelocityScale<double> const scale(block.masses_of_pair(pairs[k]));
+    auto const step = step_of(law, dt, scale, block.particles()[i], block.particles()[j],
                               {.e = {diagonal.e_x[k], diagonal.e_y[k], diagonal.e_z[k]},
                                .chi = diagonal.weight[k],
                                .diagonal = sign * Vec3{diagonal.G_x[k], diagonal.G_y[k], diagonal.G_z[k]},

@@ -1,7 +1,7 @@
 #include "sdpd/fluctuation/fluctuation_implicit.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/fluctuation/fluctuation.hpp"
-#include "sdpd/fluctuation/pair_lanes.hpp"
+#include "sdpd/fluctuation/frozen_pairs.hpp"
 #include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
 #include "sdpd/system/selected_pairs.hpp"
@@ -12,37 +12,6 @@ namespace {
 
 constexpr double tolerance = 1e-4; ///< of the conjugate gradients
 constexpr int most_iterations = 200;
-
-/// Direction, friction times dt and noise of a block's pairs, frozen at the start of the step.
-struct FrozenPairs {
-  std::vector<float> e_x, e_y, e_z, perp, extra, n_x, n_y, n_z;
-
-  void resize(std::size_t count) {
-    for (auto* values : {&e_x, &e_y, &e_z, &perp, &extra, &n_x, &n_y, &n_z})
-      values->resize(count);
-  }
-  void take_back(std::size_t k) { perp[k] = extra[k] = n_x[k] = n_y[k] = n_z[k] = 0; }
-};
-
-using Impulse = VectorLanes<FloatLanes>;
-
-[[gnu::always_inline]] inline Impulse noise(FrozenPairs const& of, std::size_t first) {
-  return {load<FloatLanes>(&of.n_x[first]), load<FloatLanes>(&of.n_y[first]),
-          load<FloatLanes>(&of.n_z[first])};
-}
-
-/// -Gamma v dt, along the line of centres and across it.
-[[gnu::always_inline]] inline Impulse friction(FrozenPairs const& of, std::size_t first, Impulse const& v) {
-  Impulse const e{load<FloatLanes>(&of.e_x[first]), load<FloatLanes>(&of.e_y[first]),
-                  load<FloatLanes>(&of.e_z[first])};
-  FloatLanes const perp = load<FloatLanes>(&of.perp[first]),
-                   along = load<FloatLanes>(&of.extra[first]) * dot(e, v);
-  return {-perp * v.x - along * e.x, -perp * v.y - along * e.y, -perp * v.z - along * e.z};
-}
-
-[[gnu::always_inline]] inline Impulse operator+(Impulse const& a, Impulse const& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
 
 template <class Law>
 void freeze(System const& system, Law const& law, double dt, NoiseSource const& source, std::size_t number,
@@ -75,6 +44,9 @@ void freeze(System const& system, Law const& law, double dt, NoiseSource const& 
     store(kick * G.y + along * e.y, &frozen.n_y[first]);
     store(kick * G.z + along * e.z, &frozen.n_z[first]);
   });
+  if (!system.particles.mass.empty())
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      frozen.scale(k, block.masses_of_pair(pairs[k]));
 }
 
 /// One implicit step; what it needs is kept from step to step by the caller.
@@ -157,13 +129,15 @@ class ImplicitStep {
     return sum_over_particles(system_, [&](std::size_t i) { return dot(a[i], b[i]); });
   }
 
-  /// (1 + Gamma dt/2) x
-  void apply_matrix(Vectors const& x, Vectors& result) const {
-    sum_impulses(x, result, friction);
-    for_each_particle([&](std::size_t i) { result[i] = x[i] - 0.5 * result[i]; });
+  double mass(std::size_t i) const { return system_.particles.mass_of(i); }
+
+  /// (M + Gamma dt/2) v
+  void apply_matrix(Vectors const& v, Vectors& result) const {
+    sum_impulses(v, result, friction);
+    for_each_particle([&](std::size_t i) { result[i] = mass(i) * v[i] - 0.5 * result[i]; });
   }
 
-  /// The momenta in the middle of the step, by conjugate gradients.
+  /// The velocities in the middle of the step, by conjugate gradients.
   void find_middle() {
     Vectors const& p = system_.particles.p;
     Vectors rest, way, image;
@@ -171,7 +145,8 @@ class ImplicitStep {
                  [](FrozenPairs const& of, std::size_t first, Impulse const&) { return noise(of, first); });
     for_each_particle([&](std::size_t i) { rest[i] = p[i] + 0.5 * rest[i]; });
     double const enough = tolerance * tolerance * product(rest, rest);
-    middle_ = p;
+    middle_.resize(p.size());
+    for_each_particle([&](std::size_t i) { middle_[i] = p[i] / mass(i); });
     apply_matrix(middle_, image);
     for_each_particle([&](std::size_t i) { rest[i] -= image[i]; });
     way = rest;
@@ -209,7 +184,7 @@ class ImplicitStep {
     copy_vectors(members, middle_, rows);
     mean.assign(n + 2, {}), heat.assign(n, 0);
     for_each_member(members, [&](std::size_t local, Index i, Vec3 const&) {
-      mean[local] = system_.particles.p[i] + 0.5 * system_.impulse[i];
+      mean[local] = (system_.particles.p[i] + 0.5 * system_.impulse[i]) / mass(i);
     });
     for_each_group(system_.neighbours.pairs(number), n,
                    [&](LocalPair const* pair, std::size_t first, std::size_t count) {

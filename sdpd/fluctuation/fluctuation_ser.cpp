@@ -1,36 +1,39 @@
 #include "sdpd/fluctuation/fluctuation.hpp"
 #include "sdpd/fluctuation/pair_lanes.hpp"
+#include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// The bath of eight pairs at the start, and their relative velocities.
+/// The bath of eight pairs at the start, and their relative velocities, scaled where masses differ.
 struct Start {
   Bath<FloatLanes> bath;
   VectorLanes<Lanes> v;
 };
-template <class Law>
-[[gnu::always_inline]] inline Start start_of(Law const& law, FluctuatingParticle const* particles,
-                                             LocalPair const* pair) {
+template <class Law, class Scale>
+[[gnu::always_inline]] inline Start start_of(Law const& law, Scale const& scale,
+                                             FluctuatingParticle const* particles, LocalPair const* pair) {
   ParticleLanes const a(load_lines([&](std::size_t l) { return &particles[pair[l].i]; }));
   ParticleLanes const b(load_lines([&](std::size_t l) { return &particles[pair[l].j]; }));
   return {law.template bath<FloatLanes>({to_float(a.caloric.T_0), to_float(b.caloric.T_0),
                                          to_float(a.caloric.inverse_C_0), to_float(b.caloric.inverse_C_0)}),
-          {a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z}};
+          {scale.velocity(a.p_x, b.p_x), scale.velocity(a.p_y, b.p_y), scale.velocity(a.p_z, b.p_z)}};
 }
-template <class Law>
-[[gnu::always_inline]] inline Start start_of(Law const& law, Row const* momenta, LocalPair const* pair) {
+template <class Law, class Scale>
+[[gnu::always_inline]] inline Start start_of(Law const& law, Scale const& scale, Row const* momenta,
+                                             LocalPair const* pair) {
   RowLanes const a = load_rows([&](std::size_t l) { return &momenta[pair[l].i]; });
   RowLanes const b = load_rows([&](std::size_t l) { return &momenta[pair[l].j]; });
-  return {law.template bath<FloatLanes>(), {a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+  return {law.template bath<FloatLanes>(),
+          {scale.velocity(a[0], b[0]), scale.velocity(a[1], b[1]), scale.velocity(a[2], b[2])}};
 }
 
-/// What a pair gives to its first particle and takes from its second, -Gamma v dt + Sigma G sqrt(dt), all
-/// pairs at the velocities and temperatures of the start.
+/// What the first particle of each pair gains of the scaled relative velocity, and the second loses, -Gamma v
+/// dt + Sigma G sqrt(dt), all pairs at the velocities and temperatures of the start.
 template <class Law>
 [[gnu::always_inline]] inline VectorLanes<Lanes>
-impulse(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sweep<Law> const& sweep) {
+change_of(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sweep<Law> const& sweep) {
   auto const& bath = start.bath;
   FloatLanes const dt = constant<FloatLanes>(sweep.dt);
   auto const [a_par, a_perp] = sweep.law.coefficients(input.weight);
@@ -51,31 +54,35 @@ impulse(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sw
   }
 }
 
-/// Calls f(pair, count, v, impulse) for the pairs of a block, eight at a time.
-template <class Law, class F>
+/// Calls f(pair, count, scale, v, change) for the pairs of a block, eight at a time.
+template <class Law, class Masses, class F>
 void for_each_impulse(System const& system, BlockOf<Law>& block, std::size_t number, PairInputs& inputs,
                       Sweep<Law> const& sweep, F const& f) {
   auto const pairs = system.neighbours.pairs(number);
   prepare_pairs(system, sweep.law, block, pairs, sweep.noise.pairs, inputs);
   auto const* const particles = block.particles().data();
   for_each_group(pairs, block.size(), [&](LocalPair const* pair, std::size_t first, std::size_t count) {
-    Start const start = start_of(sweep.law, particles, pair);
-    f(pair, count, start.v, impulse(start, InputLanes<Law::across, FloatLanes>(inputs, first), sweep));
+    auto const scale = scale_of(block.template masses<Masses>(), pair);
+    Start const start = start_of(sweep.law, scale, particles, pair);
+    f(pair, count, scale, start.v,
+      change_of(start, InputLanes<Law::across, FloatLanes>(inputs, first), sweep));
   });
 }
 
 /// The block's part of the impulses of its particles.
-template <class Law>
+template <class Law, class Masses>
 void add_impulses(System& system, std::size_t number, Sweep<Law> const& sweep) {
   thread_local BlockOf<Law> block;
   thread_local PairInputs inputs;
   thread_local std::vector<Row> sums;
   block.copy_in(system, number);
   sums.assign(block.size() + 2, Row{});
-  for_each_impulse<Law>(
+  for_each_impulse<Law, Masses>(
       system, block, number, inputs, sweep,
-      [&](LocalPair const* pair, std::size_t count, VectorLanes<Lanes> const&, VectorLanes<Lanes> const& dp) {
-        auto const rows = to_rows({dp.x, dp.y, dp.z, Lanes{}});
+      [&](LocalPair const* pair, std::size_t count, auto const& scale, VectorLanes<Lanes> const&,
+          VectorLanes<Lanes> const& change) {
+        auto const rows =
+            to_rows({scale.momentum(change.x), scale.momentum(change.y), scale.momentum(change.z), Lanes{}});
         for (std::size_t l = 0; l < count; ++l) {
           sums[pair[l].i] += rows[l];
           sums[pair[l].j] -= rows[l];
@@ -87,25 +94,28 @@ void add_impulses(System& system, std::size_t number, Sweep<Law> const& sweep) {
   });
 }
 
-/// The block's part of the heat of its particles, -(1/2) dp_ij (v_ij + (dp_i - dp_j)/2): with it the energy
-/// is conserved exactly, whatever the other pairs do.
-template <class Law>
+/// The block's part of the heat of its particles, -(1/2) dp_ij (v_ij + dp_i/2m_i - dp_j/2m_j): with it the
+/// energy is conserved exactly, whatever the other pairs do.
+template <class Law, class Masses>
 void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
   thread_local FluctuatingBlock block;
   thread_local PairInputs inputs;
   thread_local std::vector<Vec3> total;
   thread_local std::vector<double> heat;
   block.copy_in(system, number);
+  auto const& mass = block.masses<Masses>();
   total.assign(block.size() + 2, {}), heat.assign(block.size(), 0);
   for_each_member(block.members(),
                   [&](std::size_t local, Index i, Vec3 const&) { total[local] = system.impulse[i]; });
-  for_each_impulse<Law>(
+  for_each_impulse<Law, Masses>(
       system, block, number, inputs, sweep,
-      [&](LocalPair const* pair, std::size_t count, VectorLanes<Lanes> const& v,
-          VectorLanes<Lanes> const& dp) {
+      [&](LocalPair const* pair, std::size_t count, auto const&, VectorLanes<Lanes> const& v,
+          VectorLanes<Lanes> const& change) {
         for (std::size_t l = 0; l < count; ++l) {
-          Vec3 const mean = Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * (total[pair[l].i] - total[pair[l].j]);
-          double const given = -0.5 * dot(Vec3{dp.x[l], dp.y[l], dp.z[l]}, mean);
+          PairMasses<double> const masses{mass[pair[l].i], mass[pair[l].j]};
+          Vec3 const of_others = VelocityScale<double>(masses).velocity(total[pair[l].i], total[pair[l].j]);
+          Vec3 const mean = Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * of_others;
+          double const given = -0.5 * dot(Vec3{change.x[l], change.y[l], change.z[l]}, mean);
           heat[pair[l].i] += given, heat[pair[l].j] += given;
         }
       });
@@ -149,9 +159,14 @@ void fluctuate_ser(System& system, Law const& law, double dt, bool second) {
   auto const& grid = system.neighbours.grid();
   if constexpr (Law::has_energies)
     system.energy_gain.assign(system.size(), 0);
-  for_each_block(grid, system.threads, [&](std::size_t block) { add_impulses(system, block, sweep); });
+  with_masses(system, [&]<class Masses>(Masses const&) {
+    for_each_block(grid, system.threads,
+                   [&](std::size_t block) { add_impulses<Law, Masses>(system, block, sweep); });
+    if constexpr (Law::has_energies)
+      for_each_block(grid, system.threads,
+                     [&](std::size_t block) { add_heat<Law, Masses>(system, block, sweep); });
+  });
   if constexpr (Law::has_energies) {
-    for_each_block(grid, system.threads, [&](std::size_t block) { add_heat(system, block, sweep); });
     apply(system);
   } else
     apply_impulses(system);

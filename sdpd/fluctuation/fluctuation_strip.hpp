@@ -1,18 +1,19 @@
 #pragma once
 #include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/fluctuation/strip.hpp"
 
 namespace mesobridge::sdpd {
 
-/// A strip of pairs whose relative velocities friction and noise change.
+/// A strip of pairs whose relative velocities, scaled where masses differ, friction and noise change.
 template <class Particles>
 class alignas(64) FluctuationStrip : public Strip<Particles, Gains::equal> {
  public:
   void read(Particles const& particles, std::span<LocalPair const> pairs, std::size_t phantom) {
     this->read_pairs(particles, pairs, phantom,
                      [&](std::size_t k, auto const& a, auto const& b) [[gnu::always_inline]] {
-                       store(a.p_x - b.p_x, &v_x_[k]), store(a.p_y - b.p_y, &v_y_[k]);
-                       store(a.p_z - b.p_z, &v_z_[k]);
+                       auto const v = relative_velocity(particles, k, a, b);
+                       store(v.x, &v_x_[k]), store(v.y, &v_y_[k]), store(v.z, &v_z_[k]);
                      });
   }
 
@@ -61,8 +62,9 @@ class alignas(64) FluctuationStrip : public Strip<Particles, Gains::equal> {
   /// Gives the steps that are made to the particles.
   void write(Particles const& particles) const {
     for (std::size_t k = 0; k < count_; k += lane_count) {
-      auto half = [&](StripFloats const& change)
-                      [[gnu::always_inline]] { return 0.5 * to_double(load<FloatLanes>(&change[k])); };
+      auto half = [&](StripFloats const& change) [[gnu::always_inline]] {
+        return momentum_change(k, to_double(load<FloatLanes>(&change[k])));
+      };
       auto const rows = to_rows({half(change_x_), half(change_y_), half(change_z_), load<Lanes>(&heat_[k])});
       this->for_each_made(k, [&](std::size_t pair, std::size_t l) [[gnu::always_inline]] {
         void *const a = particles.place(pairs_[pair].i), *const b = particles.place(pairs_[pair].j);
@@ -73,6 +75,25 @@ class alignas(64) FluctuationStrip : public Strip<Particles, Gains::equal> {
   }
 
  private:
+  static constexpr bool unit_masses = Particles::have_unit_masses;
+
+  [[gnu::always_inline]] VectorLanes<Lanes> relative_velocity(Particles const& particles, std::size_t k,
+                                                              auto const& a, auto const& b) {
+    if constexpr (unit_masses) {
+      return {a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z};
+    } else {
+      auto const scale = scale_of(*particles.masses, &pairs_[k]);
+      store(scale.root, &root_mass_[k]);
+      return {scale.velocity(a.p_x, b.p_x), scale.velocity(a.p_y, b.p_y), scale.velocity(a.p_z, b.p_z)};
+    }
+  }
+  [[gnu::always_inline]] Lanes momentum_change(std::size_t k, Lanes const& velocity_change) const {
+    if constexpr (unit_masses)
+      return 0.5 * velocity_change;
+    else
+      return 0.5 * velocity_change * load<Lanes>(&root_mass_[k]);
+  }
+
   using Base = Strip<Particles, Gains::equal>;
   using Base::count_, Base::pairs_, Base::heat_, Base::outcomes_;
 
@@ -103,6 +124,8 @@ class alignas(64) FluctuationStrip : public Strip<Particles, Gains::equal> {
   alignas(64) StripNumbers v_x_{}, v_y_{}, v_z_{};
   alignas(64) StripFloats change_x_{}, change_y_{}, change_z_{}, variance_par_{}, variance_perp_{},
       noise_squares_{}, noise_widths_{};
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<unit_masses, Nothing, StripNumbers> root_mass_{};
 };
 
 } // namespace mesobridge::sdpd

@@ -11,17 +11,18 @@ void couple_momenta(System& system, NoiseSource const& source, double decay) {
   for_each_range(system, [&](Range range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       auto const G = gaussians_reference(source, particles.id[i], 0);
-      particles.p[i] = keep * particles.p[i] + kick * Vec3{G[0], G[1], G[2]};
+      double const spread = kick * std::sqrt(particles.mass_of(i));
+      particles.p[i] = keep * particles.p[i] + spread * Vec3{G[0], G[1], G[2]};
     }
   });
-  double const count = static_cast<double>(system.size());
+  double const mass = sum_over_particles(system, [&](std::size_t i) { return particles.mass_of(i); });
   auto mean = [&](double Vec3::*component) {
-    return sum_over_particles(system, [&](std::size_t i) { return particles.p[i].*component; }) / count;
+    return sum_over_particles(system, [&](std::size_t i) { return particles.p[i].*component; }) / mass;
   };
   Vec3 const drift{mean(&Vec3::x), mean(&Vec3::y), mean(&Vec3::z)};
   for_each_range(system, [&](Range range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
-      particles.p[i] -= drift;
+      particles.p[i] -= particles.mass_of(i) * drift;
   });
 }
 

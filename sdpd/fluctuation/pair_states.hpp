@@ -15,6 +15,9 @@ class PairStates {
 
   FluctuatingParticle& operator[](std::size_t k) const { return *particles_[k]; }
   States const& now() const { return now_; }
+  PairMasses<double> masses() const {
+    return {system_.particles.mass_of(index_[0]), system_.particles.mass_of(index_[1])};
+  }
   /// Throws PhysicsError when the equation of state has no such states.
   States with(double heat_a, double heat_b) const { return {state(0, heat_a), state(1, heat_b)}; }
 

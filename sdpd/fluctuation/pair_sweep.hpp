@@ -22,6 +22,9 @@ struct LeftPair {
 [[gnu::always_inline]] inline ExpandedParticles in_lanes(FluctuatingBlock& block) {
   return {block.particles().data()};
 }
+[[gnu::always_inline]] inline OwnMassParticles in_lanes(OwnMassBlock& block) {
+  return {{block.particles().data()}, &block.masses()};
+}
 [[gnu::always_inline]] inline ConstantCapacityParticles in_lanes(ConstantCapacityBlock& block) {
   return {block.particles().data(), {block.heat_capacity(), 1 / block.heat_capacity()}};
 }
@@ -141,7 +144,9 @@ void sweep_pairs_of(System& system, Sweep<Law> const& sweep, PairCounts& total) 
 
 template <class Exchange, PairScheme scheme, class Law>
 void sweep_pairs(System& system, Sweep<Law> const& sweep, PairCounts& total) {
-  if (system.thermodynamics->constant_heat_capacity())
+  if (!system.particles.mass.empty())
+    sweep_pairs_of<Exchange, scheme, OwnMassBlock>(system, sweep, total);
+  else if (system.thermodynamics->constant_heat_capacity())
     sweep_pairs_of<Exchange, scheme, ConstantCapacityBlock>(system, sweep, total);
   else
     sweep_pairs_of<Exchange, scheme, FluctuatingBlock>(system, sweep, total);

@@ -36,6 +36,7 @@ template <class F>
 
 /// Particles with caloric expansions of their own.
 struct ExpandedParticles {
+  static constexpr bool have_unit_masses = true;
   FluctuatingParticle* particles;
 
   [[gnu::always_inline]] void* place(std::size_t local) const { return &particles[local]; }
@@ -60,8 +61,15 @@ struct ExpandedParticles {
   };
 };
 
+/// The same with masses of their own.
+struct OwnMassParticles : ExpandedParticles {
+  static constexpr bool have_unit_masses = false;
+  OwnMasses const* masses;
+};
+
 /// Particles of one constant heat capacity C: rows of p and the energy C T.
 struct ConstantCapacityParticles {
+  static constexpr bool have_unit_masses = true;
   Row* rows;
   ConstantCaloric caloric;
 

@@ -8,25 +8,43 @@ namespace mesobridge::sdpd {
 namespace {
 
 /// At the set density and temperature, in k_B. Throws PhysicsError when the model has no such state.
-double heat_capacity_of_a_particle(SimulationSettings const& s) {
+double heat_capacity_of_a_particle(SimulationSettings const& s, double K, fitting::AnyEos const& any) {
   double const bulk = std::visit(
       [&](auto const& eos) {
         return eos.heat_capacity(eos.energy_from_temperature(s.T, s.rho), s.rho) * eos.molecular_mass() /
                eos.boltzmann();
       },
-      s.eos);
-  return s.K * bulk - (centre_of_mass_of(s) == CentreOfMass::free ? 1.5 : 0);
+      any);
+  return K * bulk - (centre_of_mass_of(s) == CentreOfMass::free ? 1.5 : 0);
 }
 
-void check_sdpd(SimulationSettings const& s) {
-  require(s.K >= 1 && std::isfinite(s.K), "particle size K", s.K, "must be >= 1 and finite");
-  double const C = heat_capacity_of_a_particle(s);
+void check_size(SimulationSettings const& s, double K, fitting::AnyEos const& eos) {
+  require(K >= 1 && std::isfinite(K), "particle size K", K, "must be >= 1 and finite");
+  double const C = heat_capacity_of_a_particle(s, K, eos);
   require(
-      C > least_heat_capacity, "particle size K", s.K,
+      C > least_heat_capacity, "particle size K", K,
       fmt::format("is too small: a particle has the heat capacity {:.4g} k_B at rho and T{}, and above {} "
                   "k_B is needed for a positive friction (sdpd/README.md, Eq. (S15))",
                   C, centre_of_mass_of(s) == CentreOfMass::free ? " without its centre of mass" : "",
                   least_heat_capacity));
+}
+
+template <class AnySpecies>
+void check_shares(std::vector<AnySpecies> const& species) {
+  double sum = 0;
+  for (auto const& of : species) {
+    require(of.share > 0 && of.share <= 1, fmt::format("share of species '{}'", of.name), of.share,
+            "must be > 0 and <= 1");
+    sum += of.share;
+  }
+  require(species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
+}
+
+void check_sdpd(SimulationSettings const& s) {
+  check_size(s, s.K, s.eos);
+  check_shares(s.species);
+  for (auto const& species : s.species)
+    check_size(s, species.K, species.eos);
   require(s.h_factor >= 1 && s.h_factor <= 10, "kernel support h_factor", s.h_factor, "must lie in 1 ... 10");
   auto const& [scale, self] = s.density_correction;
   require(scale > 0 && std::isfinite(scale), "density correction scale", scale, "must be > 0 and finite");
@@ -42,6 +60,7 @@ void check_sdpd(SimulationSettings const& s) {
 
 void check_pair_fluid(SimulationSettings const& s) {
   check(*s.pair_fluid);
+  check_shares(s.pair_fluid->species);
   require(s.noise, "noise", s.noise, "DPD and DPDE need their noise");
   require(s.kappa == 0, "thermal conductivity kappa", s.kappa, "is a property of SDPD's fluid");
   bool const rejects = s.scheme.pairs == PairScheme::ams || s.scheme.pairs == PairScheme::ems;

@@ -55,6 +55,13 @@ void check(PairFluid const& fluid) {
   require(fluid.mass > 0 && std::isfinite(fluid.mass), "particle mass", fluid.mass, "must be > 0 and finite");
   require(fluid.boltzmann > 0 && std::isfinite(fluid.boltzmann), "Boltzmann constant", fluid.boltzmann,
           "must be > 0 and finite");
+  for (auto const& [name, share, mass, internal_energy] : fluid.species) {
+    require(mass > 0 && std::isfinite(mass), fmt::format("mass of species '{}'", name), mass,
+            "must be > 0 and finite");
+    require(internal_energy.has_value() == fluid.follows_energy(), fmt::format("species '{}'", name),
+            internal_energy ? "an internal energy" : "none",
+            "must have an internal energy in DPDE, and none in DPD");
+  }
   if (fluid.conduction && !fluid.follows_energy())
     throw InputError("heat conduction: DPD has no internal energies that could be exchanged; take DPDE");
 }

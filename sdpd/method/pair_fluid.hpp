@@ -2,6 +2,7 @@
 #include "fitting/internal_energy.hpp"
 #include "sdpd/conduction/heat_conduction.hpp"
 #include "sdpd/friction/list.hpp"
+#include "sdpd/method/species.hpp"
 #include "sdpd/potential/list.hpp"
 #include "sdpd/state/units.hpp"
 #include <optional>
@@ -19,6 +20,9 @@ struct PairFluid {
   /// DPDE: kappa chi^2 of DpdeConduction, in energy times temperature over time, as the weight along the line
   /// of centres; without it particles exchange heat by friction alone.
   std::optional<AnyFrictionShape> conduction = {};
+  /// Several species, whose masses and internal energies take the place of those above; `mass` remains the
+  /// unit of mass.
+  std::vector<PairSpecies> species = {};
 
   bool follows_energy() const { return internal_energy.has_value(); }
   double friction_cutoff() const;

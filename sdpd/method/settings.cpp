@@ -3,16 +3,40 @@
 
 namespace mesobridge::sdpd {
 
+namespace {
+
+template <class AnySpecies>
+std::vector<Species> in_units_of(double mass, std::vector<AnySpecies> const& species) {
+  std::vector<Species> reduced;
+  for (auto const& of : species)
+    reduced.push_back({of.name, of.share, mass_of(of) / mass});
+  return reduced;
+}
+
+} // namespace
+
+std::size_t SimulationSettings::particle_count() const {
+  return std::size_t{lattice[0]} * lattice[1] * lattice[2];
+}
+
+std::vector<Species> SimulationSettings::reduced_species() const {
+  double const mass = units().mass();
+  return pair_fluid ? in_units_of(mass, pair_fluid->species) : in_units_of(mass, species);
+}
+
 double SimulationSettings::spacing() const {
-  return pair_fluid ? std::cbrt(pair_fluid->mass / rho) / units().length() : 1;
+  double const of_unit_mass = pair_fluid ? std::cbrt(pair_fluid->mass / rho) / units().length() : 1;
+  return of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
 }
 
 double SimulationSettings::range() const {
-  return pair_fluid ? pair_fluid->range() / units().length() : h_factor;
+  return pair_fluid ? pair_fluid->range() / units().length() : h_factor * spacing();
 }
 
 Features SimulationSettings::features() const {
-  return {.energies = !pair_fluid || pair_fluid->follows_energy(), .densities = !pair_fluid};
+  return {.energies = !pair_fluid || pair_fluid->follows_energy(),
+          .densities = !pair_fluid,
+          .masses = !(pair_fluid ? pair_fluid->species.empty() : species.empty())};
 }
 
 bool SimulationSettings::conducts() const {

@@ -5,6 +5,7 @@
 #include "sdpd/method/pair_fluid.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/state/particles.hpp"
+#include "sdpd/state/species.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <array>
 #include <optional>
@@ -16,6 +17,8 @@ namespace mesobridge::sdpd {
 /// (SI, but for reduced models), except where it says reduced.
 struct SimulationSettings {
   fitting::AnyEos eos = fitting::IdealGas(1);
+  /// Several species, whose sizes and equations of state take the place of those here; they remain the units.
+  std::vector<SdpdSpecies> species = {};
   double rho = 0; ///< mean density, > 0
   double T = 0;   ///< set temperature, > 0
   double K = 0;   ///< size of a particle in atoms or molecules, >= 1 and with a heat capacity above k_B/2
@@ -42,7 +45,9 @@ struct SimulationSettings {
   std::optional<PairFluid> pair_fluid = {};
 
   ReducedUnits units() const;
-  double spacing() const;    ///< mean distance between particles, reduced: 1 for SDPD
+  std::size_t particle_count() const;
+  std::vector<Species> reduced_species() const; ///< empty for one
+  double spacing() const;    ///< mean distance between particles, reduced: 1 for SDPD of one species
   double range() const;      ///< of the interaction, reduced
   Features features() const; ///< of the particles
   bool conducts() const;     ///< whether particles exchange heat beside their friction

@@ -141,7 +141,7 @@ void Neighbours::sort(Particles& particles) {
   auto each = [&]<class... T>(std::vector<T>&... values) {
     (reorder(values, std::get<std::vector<T>>(room_), order, threads_), ...);
   };
-  each(particles.id, particles.q, particles.p, particles.f, particles.caloric);
+  each(particles.id, particles.species, particles.q, particles.p, particles.f, particles.caloric);
   for (auto const& field : fields)
     each(particles.*field.values);
 }

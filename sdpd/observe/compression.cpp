@@ -5,17 +5,17 @@ namespace mesobridge::sdpd {
 
 double compression_response(System const& system) {
   auto const& neighbours = system.neighbours;
-  double sum = 0; // of F r^2 over the pairs
+  double sum = 0; // of m F r^2 over the pairs, m the mean of the two masses
   std::vector<Row> rows;
   std::visit(
       [&](auto const& kernel) {
         for (std::size_t block = 0; block < neighbours.grid().blocks().size(); ++block) {
-          copy_rows(
-              neighbours.members(block), system.particles.q, [](Index) { return 0.0; }, 0, rows);
+          auto const mass = [&](Index i) { return system.particles.mass_of(i); };
+          copy_rows(neighbours.members(block), system.particles.q, mass, 0, rows);
           for (auto const& pair : neighbours.pairs(block)) {
             Row const &a = rows[pair.i], &b = rows[pair.j];
             double const r2 = norm2(Vec3{a[0] - b[0], a[1] - b[1], a[2] - b[2]}), r = std::sqrt(r2);
-            sum += kernel.F(r, 1 / r) * r2;
+            sum += 0.5 * (a[3] + b[3]) * kernel.F(r, 1 / r) * r2;
           }
         }
       },

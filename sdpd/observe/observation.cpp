@@ -12,20 +12,22 @@ Observation observe(System const& system) {
   sum.step = system.step;
   sum.potential = system.potential_energy;
   bool const densities = system.has_densities(), energies = system.has_energies();
+  double mass = 0;
   for (Index const i : place) {
-    sum.kinetic += 0.5 * norm2(particles.p[i]);
-    sum.momentum += particles.p[i];
+    double const m = particles.mass_of(i);
+    sum.kinetic += 0.5 * norm2(particles.p[i]) / m;
+    sum.momentum += particles.p[i], mass += m;
     if (energies)
       sum.internal += particles.eps[i], sum.T_int += densities ? particles.T[i] : 1 / particles.T[i];
     if (densities)
       sum.rho += particles.rho[i];
   }
   double const count = static_cast<double>(n), volume = system.box.volume();
-  double const thermal = sum.kinetic - 0.5 * norm2(sum.momentum) / count; // without the motion of the whole
+  double const thermal = sum.kinetic - 0.5 * norm2(sum.momentum) / mass; // without the motion of the whole
   sum.T_kin = 2 * thermal / (3 * (count - 1) * system.boltzmann);
   if (energies)
     sum.T_int = densities ? sum.T_int / count : count / sum.T_int;
-  sum.rho = densities ? sum.rho / count : count / volume;
+  sum.rho = densities ? sum.rho / count : mass / volume;
   sum.P = count * system.boltzmann * sum.T_kin / volume + system.virial / (3 * volume);
   return sum;
 }

@@ -20,11 +20,11 @@ std::vector<std::size_t> slices_of(Snapshot const& now, Box const& box, Slices c
 }
 
 /// Turns sums over the slices' particles into means.
-template <class Value>
-void divide_by(std::vector<Value>& sums, std::vector<std::int64_t> const& number) {
+template <class Value, class Weight>
+void divide_by(std::vector<Value>& sums, std::vector<Weight> const& weight) {
   for (std::size_t s = 0; s < sums.size(); ++s)
-    if (number[s] > 0)
-      sums[s] = sums[s] / static_cast<double>(number[s]);
+    if (weight[s] > 0)
+      sums[s] = sums[s] / static_cast<double>(weight[s]);
 }
 
 /// Means over the slices' particles of f(i); empty when there is nothing to take the mean of.
@@ -44,21 +44,26 @@ std::vector<double> kinetic_temperatures(Snapshot const& now, std::vector<std::s
                                          Profile const& of, double boltzmann) {
   std::vector<double> T(of.number.size());
   for (std::size_t i = 0; i < slice.size(); ++i)
-    T[slice[i]] += norm2(now.p[i] - of.velocity[slice[i]]);
+    T[slice[i]] += norm2(now.p[i] - now.mass_of(i) * of.velocity[slice[i]]) / now.mass_of(i);
   for (std::size_t s = 0; s < T.size(); ++s)
     T[s] = of.number[s] > 1 ? T[s] / (3 * static_cast<double>(of.number[s] - 1) * boltzmann) : 0;
   return T;
 }
 
-/// Of the particles' virials and their motion.
-std::vector<double> pressures(Snapshot const& now, std::vector<std::size_t> const& slice, Profile const& of,
-                              double volume, double boltzmann) {
-  std::vector<double> P(of.number.size());
+/// Of the particles' virials.
+std::vector<double> virial_pressures(Snapshot const& now, std::vector<std::size_t> const& slice,
+                                     std::size_t count, double volume) {
+  std::vector<double> P(count);
   for (std::size_t i = 0; i < slice.size(); ++i)
     P[slice[i]] += now.virial[i] / (3 * volume);
-  for (std::size_t s = 0; s < P.size(); ++s)
-    P[s] += of.rho[s] * boltzmann * of.T_kin[s];
   return P;
+}
+
+/// Adds what the moving particles carry, of which a slice has the mass `mass`.
+void add_kinetic_pressures(Profile& of, std::vector<double> const& mass, double boltzmann) {
+  for (std::size_t s = 0; s < of.P.size(); ++s)
+    if (of.number[s] > 0)
+      of.P[s] += of.rho[s] / (mass[s] / static_cast<double>(of.number[s])) * boltzmann * of.T_kin[s];
 }
 
 } // namespace
@@ -70,9 +75,10 @@ Profile profile(Snapshot const& now, Box const& box, Slices const& slices, doubl
   auto const slice = slices_of(now, box, slices);
   Profile of;
   of.number.resize(slices.count), of.velocity.resize(slices.count);
+  std::vector<double> mass(slices.count);
   for (std::size_t i = 0; i < slice.size(); ++i)
-    ++of.number[slice[i]], of.velocity[slice[i]] += now.p[i];
-  divide_by(of.velocity, of.number);
+    ++of.number[slice[i]], mass[slice[i]] += now.mass_of(i), of.velocity[slice[i]] += now.p[i];
+  divide_by(of.velocity, mass);
   of.T_kin = kinetic_temperatures(now, slice, of, boltzmann);
   of.T_int =
       means(energies, slice, of.number, [&](std::size_t i) { return densities ? now.T[i] : 1 / now.T[i]; });
@@ -84,16 +90,15 @@ Profile profile(Snapshot const& now, Box const& box, Slices const& slices, doubl
   for (auto const& field : fields)
     if (auto const& values = now.*field.values; field.profiled && !values.empty())
       of.means.emplace_back(&field, means(true, slice, of.number, [&](std::size_t i) { return values[i]; }));
-  of.P = of.P_internal;
-  for (std::size_t s = 0; s < of.P.size(); ++s)
-    of.P[s] += of.rho[s] * boltzmann * of.T_kin[s];
-  if (densities)
-    return of;
   double const volume = box.volume() / static_cast<double>(slices.count);
-  for (auto const number : of.number)
-    of.rho.push_back(static_cast<double>(number) / volume);
-  if (!now.virial.empty())
-    of.P = pressures(now, slice, of, volume, boltzmann);
+  if (densities)
+    of.P = of.P_internal;
+  else if (!now.virial.empty())
+    of.P = virial_pressures(now, slice, slices.count, volume);
+  if (!densities)
+    for (double const m : mass)
+      of.rho.push_back(m / volume);
+  add_kinetic_pressures(of, mass, boltzmann);
   return of;
 }
 

@@ -16,7 +16,7 @@ struct Slices {
 struct Profile {
   std::vector<std::int64_t> number; ///< of particles
   std::vector<double> rho;    ///< mean of the particles' densities; mass per volume where they have none
-  std::vector<Vec3> velocity; ///< mean
+  std::vector<Vec3> velocity; ///< of the slice's centre of mass
   /// sum |p - m <v>|^2/2m = 3/2 (number - 1) k_B T_kin: of the motion about the slice's own velocity.
   std::vector<double> T_kin;
   std::vector<double> T_int; ///< mean of T_i for SDPD, harmonic mean for DPDE (sdpd/README.md, Eq. (S18))

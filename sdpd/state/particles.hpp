@@ -15,25 +15,29 @@ using Index = std::uint32_t;
 struct Features {
   bool energies = true;  ///< SDPD, DPDE
   bool densities = true; ///< SDPD; without them temperatures average harmonically
+  bool masses = false;   ///< several species: each particle has a mass of its own
 };
 
-/// The particles as a structure of arrays in reduced units (mass 1). The order in memory follows the cells
-/// and changes when lists are renewed; `id` says who is who. Arrays that the method does not need are empty:
-/// DPDE has no densities, DPD no internal energies either. A scalar is a member here and a line of `fields`
-/// below.
+/// The particles as a structure of arrays in reduced units. The order in memory follows the cells and changes
+/// when lists are renewed; `id` says who is who. Arrays that are not needed are empty: DPDE has no densities,
+/// DPD no internal energies either, and particles of one species all have the mass 1. A scalar is a member
+/// here and a line of `fields` below.
 struct Particles {
   std::vector<std::uint32_t> id;
-  std::vector<Vec3> q;     ///< position; leaves the box between two renewals of the lists
-  std::vector<Vec3> p;     ///< momentum
-  std::vector<double> eps; ///< internal energy
-  std::vector<double> rho; ///< density, with the self term
-  std::vector<double> S;   ///< entropy
-  std::vector<double> T;   ///< internal temperature
-  std::vector<double> P;   ///< pressure
-  std::vector<Vec3> f;     ///< conservative force
+  std::vector<std::uint32_t> species; ///< its number (state/species.hpp); empty for one species
+  std::vector<Vec3> q;                ///< position; leaves the box between two renewals of the lists
+  std::vector<Vec3> p;                ///< momentum
+  std::vector<double> eps;            ///< internal energy
+  std::vector<double> rho;            ///< density, with the self term
+  std::vector<double> S;              ///< entropy
+  std::vector<double> T;              ///< internal temperature
+  std::vector<double> P;              ///< pressure
+  std::vector<double> mass;
+  std::vector<Vec3> f; ///< conservative force
   std::vector<Caloric> caloric;
 
   std::size_t size() const { return id.size(); }
+  double mass_of(std::size_t i) const { return mass.empty() ? 1 : mass[i]; }
 
   void resize(std::size_t n, Features const& has = {});
 };
@@ -80,6 +84,11 @@ inline constexpr std::array fields{
           .dimension = Dimension::pressure,
           .feature = &Features::densities,
           .written = true},
+    Field{.name = "mass",
+          .values = &Particles::mass,
+          .dimension = Dimension::mass,
+          .feature = &Features::masses,
+          .positive = true},
 };
 
 inline void Particles::resize(std::size_t n, Features const& has) {
@@ -87,6 +96,7 @@ inline void Particles::resize(std::size_t n, Features const& has) {
   for (auto const& field : fields)
     (this->*field.values).resize(has.*field.feature ? n : 0);
   caloric.resize(has.energies ? n : 0);
+  species.resize(has.masses ? n : 0);
 }
 
 } // namespace mesobridge::sdpd

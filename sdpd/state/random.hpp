@@ -43,7 +43,8 @@ enum class Stream : std::uint32_t {
   second_conduction_acceptance = 10,
   bath = 11,
   off_diagonal = 12, ///< of the matrix noise of the entropy form
-  second_off_diagonal = 13
+  second_off_diagonal = 13,
+  species = 14 ///< which particles are of which
 };
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.

@@ -4,16 +4,19 @@
 #include "sdpd/neighbours/neighbours.hpp"
 #include "sdpd/potential/list.hpp"
 #include "sdpd/state/pair_counts.hpp"
+#include "sdpd/state/species.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include "sdpd/threads/team.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
 
-/// Everything that the sub-steps of a scheme work on: one fluid of particles of one size in a periodic box,
-/// in reduced units (sdpd/README.md, Eq. (S1)), where masses are 1 and k_B = 1/K.
+/// Everything that the sub-steps of a scheme work on: particles of one species or several in a periodic box,
+/// in reduced units (sdpd/README.md, Eq. (S1)), where the mass is 1 and k_B = 1/K.
 struct System {
   Box box;
+  std::vector<Species> species;                         ///< none for one species of mass 1
+  std::vector<std::uint32_t> species_of_id;             ///< empty then
   std::unique_ptr<Thermodynamics const> thermodynamics; ///< none in DPD
   AnyKernel kernel;                                     ///< SDPD
   double self_density;                                  ///< what a particle adds to its own density
@@ -39,6 +42,14 @@ struct System {
   std::vector<Vec3> impulse;       ///< given to the particles by a sweep of SER
 
   std::size_t size() const { return particles.size(); }
+
+  /// Gives the particles the species and masses that go with their ids.
+  void label_particles() {
+    for (std::size_t i = 0; i < species_of_id.size(); ++i) {
+      particles.species[i] = species_of_id[particles.id[i]];
+      particles.mass[i] = species[particles.species[i]].mass;
+    }
+  }
 
   bool has_densities() const { return std::holds_alternative<SdpdLaw>(law); }
   bool has_energies() const {

@@ -5,12 +5,11 @@ namespace mesobridge::sdpd {
 
 double total_energy(System const& system) {
   auto const& particles = system.particles;
+  auto const kinetic = [&](std::size_t i) { return 0.5 * norm2(particles.p[i]) / particles.mass_of(i); };
   if (!system.has_energies())
-    return system.potential_energy +
-           sum_over_particles(system, [&](std::size_t i) { return 0.5 * norm2(particles.p[i]); });
-  return system.potential_energy + sum_over_particles(system, [&](std::size_t i) {
-           return particles.eps[i] + 0.5 * norm2(particles.p[i]);
-         });
+    return system.potential_energy + sum_over_particles(system, kinetic);
+  return system.potential_energy +
+         sum_over_particles(system, [&](std::size_t i) { return particles.eps[i] + kinetic(i); });
 }
 
 } // namespace mesobridge::sdpd

@@ -15,14 +15,15 @@ inline constexpr bool has_constant_heat_capacity = fitting::LinearModel<Eos>;
 /// k_B/2C at equal temperatures and less at others, is positive then (sdpd/README.md, Eq. (S15)).
 inline constexpr double least_heat_capacity = 0.5;
 
-/// The equation of state of one particle of size K in reduced units: S(eps, rho) = m_K s(eps/m_K, rho).
+/// The equation of state of one particle in reduced units: S(eps, rho) = m s(eps/m, rho), where m is 1 but
+/// for particles of another size than that of the units.
 template <fitting::EquationOfState Eos>
 class ParticleEos {
  public:
-  ParticleEos(Eos eos, ReducedUnits const& units)
+  ParticleEos(Eos eos, ReducedUnits const& units, double mass = 1)
       : eos_(std::move(eos)), rho_unit_(units.density), T_unit_(units.temperature),
-        e_unit_(units.specific_energy()), s_unit_(units.specific_entropy()), P_unit_(units.pressure()),
-        C_min_(least_heat_capacity / units.K) {}
+        e_unit_(units.specific_energy() / mass), s_unit_(units.specific_entropy() / mass),
+        P_unit_(units.pressure()), C_min_(least_heat_capacity / units.K) {}
 
   /// The thermodynamics of one particle, or of a pack of them, at the density rho; T, S, eps, P in reduced
   /// units.

@@ -132,18 +132,25 @@ class ThermodynamicsOf final : public Thermodynamics {
 };
 
 template <class Eos>
-std::unique_ptr<Thermodynamics const> of(Eos const& eos, ReducedUnits const& units) {
-  return std::make_unique<ThermodynamicsOf<Eos>>(ParticleEos<Eos>(eos, units));
+std::unique_ptr<Thermodynamics const> of(Eos const& eos, ReducedUnits const& units, double mass) {
+  return std::make_unique<ThermodynamicsOf<Eos>>(ParticleEos<Eos>(eos, units, mass));
 }
 
 } // namespace
 
 std::unique_ptr<Thermodynamics const>
 make_thermodynamics(fitting::AnyEos const& any, ReducedUnits const& units, CentreOfMass centre_of_mass) {
+  return make_thermodynamics(any, units, centre_of_mass, {.K = units.K, .mass = 1});
+}
+
+std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& any,
+                                                          ReducedUnits const& units,
+                                                          CentreOfMass centre_of_mass, ParticleSize size) {
   return std::visit(
       [&](auto const& bulk) {
-        return centre_of_mass == CentreOfMass::free ? of(fitting::CentreOfMassFree(bulk, units.K), units)
-                                                    : of(bulk, units);
+        return centre_of_mass == CentreOfMass::free
+                   ? of(fitting::CentreOfMassFree(bulk, size.K), units, size.mass)
+                   : of(bulk, units, size.mass);
       },
       any);
 }

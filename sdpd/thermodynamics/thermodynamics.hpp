@@ -54,11 +54,19 @@ enum class CentreOfMass {
   bulk  ///< S = m s: the kinetic energy and the pressure of the particles come on top of the bulk's
 };
 
-/// For particles of the size in `units`. Throws InputError when the heat capacity of a particle is not above
-/// that of its centre of mass.
+/// The size of particles in atoms or molecules, and their mass in reduced units.
+struct ParticleSize {
+  double K, mass;
+};
+
+/// For particles of the size in `units`, or another. Throws InputError when the heat capacity of a particle
+/// is not above that of its centre of mass.
 std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& eos,
                                                           ReducedUnits const& units,
                                                           CentreOfMass centre_of_mass = CentreOfMass::free);
+std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyEos const& eos,
+                                                          ReducedUnits const& units,
+                                                          CentreOfMass centre_of_mass, ParticleSize size);
 
 /// For particles without densities (DPDE); k_B is 1.
 std::unique_ptr<Thermodynamics const> make_thermodynamics(fitting::AnyInternalEnergy const& internal_energy,

@@ -1,0 +1,56 @@
+#pragma once
+#include "sdpd/neighbours/block_copy.hpp"
+#include "sdpd/system/system.hpp"
+
+namespace mesobridge::sdpd {
+
+/// The masses of a block's particles by their places in it, where all masses are one: nothing is read.
+struct UnitMasses {
+  static constexpr bool are_one = true;
+  void copy_in(System const&, BlockMembers const&) {}
+  double operator[](std::size_t) const { return 1; }
+};
+
+/// Where each particle has its own. The masses of the phantom pair are one.
+class OwnMasses {
+ public:
+  static constexpr bool are_one = false;
+  void copy_in(System const& system, BlockMembers const& members) {
+    mass_.assign(size(members) + 2, 1);
+    for_each_member(
+        members, [&](std::size_t local, Index i, Vec3 const&) { mass_[local] = system.particles.mass[i]; });
+  }
+  double operator[](std::size_t local) const { return mass_[local]; }
+
+ private:
+  std::vector<double> mass_;
+};
+
+/// The masses m_i and m_j of pairs, X numbers or lanes of numbers.
+template <class X>
+struct PairMasses {
+  X i, j;
+
+  X product() const { return i * j; }
+  /// m_ij = 2/(1/m_i + 1/m_j) (sdpd/README.md, Equations)
+  X reduced() const { return 2 * product() / (i + j); }
+};
+
+/// Of eight pairs of a block.
+inline PairMasses<Lanes> masses_of(OwnMasses const& masses, LocalPair const* pair) {
+  PairMasses<Lanes> of{};
+  for (std::size_t l = 0; l < lane_count; ++l)
+    of.i[l] = masses[pair[l].i], of.j[l] = masses[pair[l].j];
+  return of;
+}
+
+/// Calls f with the kind of masses that the particles have.
+template <class F>
+void with_masses(System const& system, F const& f) {
+  if (system.particles.mass.empty())
+    f(UnitMasses{});
+  else
+    f(OwnMasses{});
+}
+
+} // namespace mesobridge::sdpd
