@@ -48,6 +48,9 @@ EnergySamples melt_samples(BlobSeries const& melt) {
 /// Isolated molecules, one set a level. They are independent of each other, so groups of them are the blocks.
 std::vector<EnergySamples> vacuum_samples(LevelSeries const& isolated) {
   auto const& blobs = isolated.blobs;
+  require(!isolated.set.empty() && isolated.set.size() == blobs.molecules,
+          "levels of the isolated molecules (settings/set)", isolated.set.size(),
+          fmt::format("must be one for each of {} molecules", blobs.molecules));
   std::vector<double> levels = isolated.set;
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());

@@ -64,6 +64,11 @@ void check_pair_fluid(SimulationSettings const& s) {
   require(s.noise, "noise", s.noise, "DPD and DPDE need their noise");
   require(s.kappa == 0, "thermal conductivity kappa", s.kappa, "is a property of SDPD's fluid");
   bool const rejects = s.scheme.pairs == PairScheme::ams || s.scheme.pairs == PairScheme::ems;
+  if (s.scheme.pairs == PairScheme::entropy)
+    throw InputError(
+        "scheme entropy: is the original form of SDPD and serves no other method; take ssa or ser");
+  if (s.scheme.pairs == PairScheme::ser_implicit && !s.pair_fluid->follows_energy())
+    throw InputError("scheme ser-implicit: DPD has no internal energies, which it needs; take ssa or ser");
   require(s.pair_fluid->follows_energy() || !rejects, "scheme", rejects ? "ams or ems" : "",
           "DPD has no internal energies, so there is no step to reject: take ssa or ser");
   require(s.pair_fluid->follows_energy() || !s.scheme.keep_energy, "energy", "kept",

@@ -259,6 +259,10 @@ std::string change_hdf5(Random& random, std::filesystem::path const& path) {
   if (file < 0)
     return change_bytes(random, path);
   auto const all = objects_of(file);
+  if (all.empty()) { // earlier changes took everything away
+    H5Fclose(file);
+    return change_bytes(random, path);
+  }
   auto const& [name, type] = random.of(all);
   std::string const done = type == H5O_TYPE_DATASET && random.chance(0.8)
                                ? change_dataset(random, file, name, all)

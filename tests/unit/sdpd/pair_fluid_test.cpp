@@ -271,6 +271,8 @@ TEST(PairFluid, RefusesWhatMakesNoSense) {
   refused([](auto& s) { s.pair_fluid->mass = std::nan(""); });
   refused([](auto& s) { s.scheme.pairs = PairScheme::ems; });
   refused([](auto& s) { s.scheme.keep_energy = true; });
+  refused([](auto& s) { s.scheme.pairs = PairScheme::ser_implicit; });
+  refused([](auto& s) { s = dpde_fluid(60), s.scheme.pairs = PairScheme::entropy; });
   refused([](auto& s) { s.lattice = {3, 3, 3}; }); // narrower than twice the range
   refused([](auto& s) { s.rho = 0; });
 }
