@@ -103,7 +103,7 @@ void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
   thread_local std::vector<Vec3> total;
   thread_local std::vector<double> heat;
   block.copy_in(system, number);
-  auto const& mass = block.masses<Masses>();
+  auto const& masses = block.masses<Masses>();
   total.assign(block.size() + 2, {}), heat.assign(block.size(), 0);
   for_each_member(block.members(),
                   [&](std::size_t local, Index i, Vec3 const&) { total[local] = system.impulse[i]; });
@@ -112,8 +112,7 @@ void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
       [&](LocalPair const* pair, std::size_t count, auto const&, VectorLanes<Lanes> const& v,
           VectorLanes<Lanes> const& change) {
         for (std::size_t l = 0; l < count; ++l) {
-          PairMasses<double> const masses{mass[pair[l].i], mass[pair[l].j]};
-          Vec3 const of_others = VelocityScale<double>(masses).velocity(total[pair[l].i], total[pair[l].j]);
+          Vec3 const of_others = scale_of(masses, pair[l]).velocity(total[pair[l].i], total[pair[l].j]);
           Vec3 const mean = Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * of_others;
           double const given = -0.5 * dot(Vec3{change.x[l], change.y[l], change.z[l]}, mean);
           heat[pair[l].i] += given, heat[pair[l].j] += given;

@@ -46,6 +46,13 @@ struct UnitScale {
 [[gnu::always_inline]] inline VelocityScale<Lanes> scale_of(OwnMasses const& masses, LocalPair const* pair) {
   return VelocityScale<Lanes>(masses_of(masses, pair));
 }
+/// Of one of them.
+inline UnitScale scale_of(UnitMasses const&, LocalPair) {
+  return {};
+}
+inline VelocityScale<double> scale_of(OwnMasses const& mass, LocalPair pair) {
+  return VelocityScale<double>({mass[pair.i], mass[pair.j]});
+}
 
 /// What the weight of a pair of unit masses is multiplied by: friction goes by gamma/m_ij, and SDPD's chi has
 /// the factor m_i m_j (Eq. (S14)).

@@ -88,6 +88,11 @@ void check_lattice(SimulationSettings const& s) {
 
 } // namespace
 
+void require_one_species(SimulationSettings const& s, std::string_view asked) {
+  require(!s.features().masses, "species", s.reduced_species().size(),
+          fmt::format("must be one: the {} is known for one equation of state alone", asked));
+}
+
 void check_units(SimulationSettings const& s) {
   auto const units = s.units();
   for (auto const& [unit, value] : {std::pair("mass", units.mass()),

@@ -60,6 +60,10 @@ void check(SimulationSettings const& settings);
 /// that are each allowed, and yet too far apart.
 void check_units(SimulationSettings const& settings);
 
+/// Throws InputError that names what was asked for, when the fluid has several species and so no one equation
+/// of state that could tell.
+void require_one_species(SimulationSettings const& settings, std::string_view asked);
+
 Box box_of(SimulationSettings const& settings);
 
 /// Of the neighbour lists, reduced.

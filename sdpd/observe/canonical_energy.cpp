@@ -41,6 +41,8 @@ CanonicalEnergy::CanonicalEnergy(SimulationSettings const& settings)
                        ? mean_of(fitting::CentreOfMassFree(bulk, settings.K), settings)
                        : mean_of(bulk, settings);
           },
-          settings.eos)) {}
+          settings.eos)) {
+  require_one_species(settings, "canonical energy");
+}
 
 } // namespace mesobridge::sdpd

@@ -26,6 +26,7 @@ struct Target {
 };
 
 Target target_of(SimulationSettings const& s) {
+  require_one_species(s, "pressure");
   auto const units = s.units();
   double const motion = s.noise ? 1 / s.K : 0;
   return std::visit(

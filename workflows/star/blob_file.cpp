@@ -41,7 +41,8 @@ BlobFileHead read_head(Store const& store) {
   head.mass = store.read_double_attribute("settings", "mass", {.above = 0});
   head.rho = store.read_double_attribute("settings", "rho", {.least = 0});
   head.T = store.read_double_attribute("settings", "T", {.least = 0});
-  if (store.contains("settings/set"))
+  bool const has_levels = head.kind.starts_with("vacuum"); // which no analysis can do without
+  if (has_levels || store.contains("settings/set"))
     head.set = store.read_doubles("settings/set",
                                   {.rows = std::size_t(head.molecules), .row_shape = Store::Shape{}});
   auto const if_there = [&](char const* name, std::string& into) {

@@ -44,8 +44,8 @@ void expect_refused(std::vector<std::string> command, std::filesystem::path cons
 }
 
 /// Three molecules, 40 frames of independent energies.
-void write_blobs(std::filesystem::path const& file) {
-  BlobFileHead const head{.kind = "melt",
+void write_blobs(std::filesystem::path const& file, std::string const& kind = "melt") {
+  BlobFileHead const head{.kind = kind,
                           .name = "dimer",
                           .fingerprint = "none",
                           .molecules = 3,
@@ -119,6 +119,22 @@ TEST(SpoiltResults, BlobsAreRefusedByTheColumn) {
     words.insert(words.end(), {file.string(), "-o", (scratch / "out").string()});
     expect_refused(
         words, file, [&] { write_blobs(file); }, all);
+  }
+}
+
+TEST(SpoiltResults, BlobsInVacuumWithoutTheLevelsOfTheirMoleculesAreRefused) {
+  ScratchDirectory const scratch;
+  auto const melt = scratch / "melt.h5", vacuum = scratch / "vacuum.h5";
+  write_blobs(melt);
+  for (auto const& [option, kind] : {std::pair<std::string, std::string>{"--vacuum", "vacuum canonical"},
+                                     {"--vacuum-nve", "vacuum microcanonical"}}) {
+    std::filesystem::remove(vacuum);
+    write_blobs(vacuum, kind);
+    auto const result = run_process({MESOBRIDGE_PROGRAM, "cg", "entropy", "--melt", melt.string(), option,
+                                     vacuum.string(), "-o", (scratch / "out").string()});
+    EXPECT_EQ(result.status, 2) << result.errors;
+    for (char const* word : {"vacuum.h5", "settings/set"})
+      EXPECT_NE(result.errors.find(word), std::string::npos) << word << "\n" << result.errors;
   }
 }
 
