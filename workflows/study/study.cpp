@@ -56,7 +56,7 @@ sdpd::TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
   try {
     auto const& start = starts.of(scene, [&] { return keep_going(0); });
     return sdpd::run_trial(
-        engine_trial(scene, bins.value_or(cg::bins_around(start.particles.eps, settings_of(scene, 1).K))),
+        engine_trial(scene, bins.value_or(cg::bins_around(start.particles.eps, settings_of(scene, 1).K()))),
         start, keep_going);
   } catch (PhysicsError const& error) {
     return {.failure = fmt::format("no equilibrium to begin with: {}", error.what()),
