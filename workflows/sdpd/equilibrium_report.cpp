@@ -82,7 +82,7 @@ Section time_section(std::filesystem::path const& run_file, RunResult const& run
             "The sampled part of the run (means of neighbouring samples where there are many); dashes "
             "and bands: the mean over the run ± its standard error, which knows the samples' memory.");
   Section section{"In time", {}};
-  if (run.scene.has_energies()) {
+  if (run.scene.features().energies) {
     figure.svgs.push_back(draw_svg(energy_error_plot("energyerror", {{"", &run}})));
     figure.caption += fmt::format(" The relative energy error drifts at {} per reduced unit of time.",
                                   with_error_text({run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}));
@@ -131,12 +131,12 @@ Files files_of(std::filesystem::path const& directory) {
 }
 
 std::string lead_of(RunResult const& run, OutputUnits const& units) {
-  auto const* const method = run.scene.is_sdpd() ? "SDPD" : run.scene.has_energies() ? "DPDE" : "DPD";
+  auto const& method = sdpd::method_named(run.scene.method.name);
   return fmt::format(
       "{} {} particles{} with {:.1f} neighbours each, {} steps of {:.4g} reduced time units{} "
       "after {} steps of equilibration.",
-      run.scene.particles.N, method,
-      run.scene.is_sdpd() ? fmt::format(" of size K = {:g}", run.settings.K()) : "", run.neighbours,
+      run.scene.particles.N, method.title,
+      method.features.densities ? fmt::format(" of size K = {:g}", run.settings.K()) : "", run.neighbours,
       run.scene.run.steps, run.settings.dt,
       run.scene.units == UnitSystem::SI ? fmt::format(" ({:.4g} s)", run.settings.dt * units.time) : "",
       run.scene.run.equilibrate);
@@ -145,9 +145,10 @@ std::string lead_of(RunResult const& run, OutputUnits const& units) {
 /// What the method of the run rests on.
 std::vector<std::string> sources_of(RunResult const& run) {
   std::vector<std::string> sources;
-  if (run.scene.is_sdpd())
+  bool const densities = run.scene.features().densities;
+  if (densities)
     sources = {"Espanol and Revenga 2003", "Faure et al. 2016"};
-  if (run.scene.is_sdpd() && run.scene.particles.kernel.starts_with("wendland"))
+  if (densities && run.scene.particles.kernel.starts_with("wendland"))
     sources.emplace_back("Dehnen and Aly 2012");
   if (run.scene.scheme.name == "ssa")
     sources.emplace_back("Shardlow 2003");
