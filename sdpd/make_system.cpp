@@ -2,7 +2,6 @@
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/state/random.hpp"
-#include "sdpd/thermodynamics/mixture.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -46,80 +45,24 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
-/// Boltzmann's constant of friction and conduction: what has no noise is the limit k_B -> 0.
-double noise_boltzmann(SimulationSettings const& s) {
-  return s.noise ? 1 / s.K : 0;
-}
-
-AnyConduction conduction_of(SimulationSettings const& s) {
-  if (s.kappa == 0)
-    return std::monostate();
-  return SdpdConduction{s.kappa / s.units().conductivity(), noise_boltzmann(s)};
-}
-
-template <class AnySpecies, class Make>
-std::unique_ptr<Thermodynamics const> mixture_of(std::vector<AnySpecies> const& species, Make const& make) {
-  std::vector<std::unique_ptr<Thermodynamics const>> parts;
-  for (auto const& of : species)
-    parts.push_back(make(of));
-  return make_mixture(std::move(parts));
-}
-
-std::unique_ptr<Thermodynamics const> sdpd_thermodynamics(SimulationSettings const& s) {
-  if (s.species.empty())
-    return make_thermodynamics(s.eos, s.units(), centre_of_mass_of(s));
-  return mixture_of(s.species, [&](SdpdSpecies const& of) {
-    return make_thermodynamics(of.eos, s.units(), centre_of_mass_of(s),
-                               {of.K, mass_of(of) / s.units().mass()});
-  });
-}
-
-std::unique_ptr<Thermodynamics const> pair_thermodynamics(PairFluid const& fluid, ReducedUnits const& units) {
-  if (!fluid.follows_energy())
-    return nullptr;
-  if (fluid.species.empty())
-    return make_thermodynamics(*fluid.internal_energy, units);
-  return mixture_of(fluid.species,
-                    [&](PairSpecies const& of) { return make_thermodynamics(*of.internal_energy, units); });
-}
-
-System sdpd_system(SimulationSettings const& s) {
-  ReducedUnits const units = s.units();
-  AnyKernel const kernel = make_kernel(s.kernel, s.range(), s.density_correction.scale);
-  return {
-      .box = box_of(s),
-      .species = s.reduced_species(),
-      .thermodynamics = sdpd_thermodynamics(s),
-      .kernel = kernel,
-      .self_density = self_density(kernel, s.density_correction),
-      .potential = NoPotential{},
-      .law = SdpdLaw{SdpdFriction(s.eta / units.viscosity(), s.zeta / units.viscosity()), noise_boltzmann(s)},
-      .conduction = conduction_of(s),
-      .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-      .boltzmann = 1 / s.K,
-      .seed = s.seed,
-      .threads = s.threads};
-}
-
-System pair_fluid_system(SimulationSettings const& s) {
-  ReducedUnits const units = s.units();
-  auto const& fluid = *s.pair_fluid;
+System empty_system(SimulationSettings const& s) {
+  auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
           .species = s.reduced_species(),
-          .thermodynamics = pair_thermodynamics(fluid, units),
-          .kernel = CubicKernel(s.range()),
-          .self_density = 0,
-          .potential = fluid.reduced_potential(units),
-          .law = fluid.law(units),
-          .conduction = fluid.reduced_conduction(units),
+          .thermodynamics = std::move(parts.thermodynamics),
+          .kernel = parts.kernel,
+          .self_density = parts.self_density,
+          .potential = std::move(parts.potential),
+          .law = std::move(parts.law),
+          .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-          .boltzmann = 1,
+          .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};
 }
 
 std::unique_ptr<System> build(SimulationSettings const& s) {
-  auto system = std::make_unique<System>(s.pair_fluid ? pair_fluid_system(s) : sdpd_system(s));
+  auto system = std::make_unique<System>(empty_system(s));
   system->dt = s.dt;
   system->particles.resize(s.particle_count(), s.features());
   place_on_lattice(system->particles, s);

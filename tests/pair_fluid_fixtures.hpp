@@ -6,33 +6,36 @@ namespace mesobridge::sdpd {
 
 /// The DPD fluid of Groot and Warren, J. Chem. Phys. 107 (1997) 4423: a = 25, rho = 3, gamma = 4.5, k_BT = 1.
 inline SimulationSettings dpd_fluid(double dt = 0.01) {
-  SimulationSettings s{.rho = 3, .T = 1, .lattice = {9, 9, 9}, .disorder = 0.15, .dt = dt};
-  s.pair_fluid = PairFluid{.mass = 1,
-                           .potential = SoftPotential(25, 1),
-                           .friction = PowerFriction(4.5, 0, 1, 2),
-                           .internal_energy = {}};
-  return s;
+  return {.method =
+              Dpd{{.mass = 1, .potential = SoftPotential(25, 1), .friction = PowerFriction(4.5, 0, 1, 2)}},
+          .rho = 3,
+          .T = 1,
+          .lattice = {9, 9, 9},
+          .disorder = 0.15,
+          .dt = dt};
 }
 
 /// The same with internal energies of constant heat capacity C (in k_B) and with friction across the line of
 /// centres too, if `across` says so.
 inline SimulationSettings dpde_fluid(double C, double dt = 0.01, double across = 0) {
   auto s = dpd_fluid(dt);
-  s.pair_fluid->friction = PowerFriction(4.5, across, 1, 2);
-  s.pair_fluid->internal_energy = fitting::ConstantHeatCapacity(C);
+  Dpde const method{
+      {.mass = 1, .potential = SoftPotential(25, 1), .friction = PowerFriction(4.5, across, 1, 2)},
+      fitting::ConstantHeatCapacity(C)};
+  s.method = method;
   return s;
 }
 
 /// DPDE particles that conduct heat.
 inline SimulationSettings with_pair_conduction(SimulationSettings settings, AnyFrictionShape const& weight) {
-  settings.pair_fluid->conduction = weight;
+  settings.as<Dpde>().conduction = weight;
   return settings;
 }
 
 /// DPDE particles that exert no conservative force: an ideal gas with friction.
 inline SimulationSettings dpde_ideal(double C, double dt, double across) {
   auto s = dpde_fluid(C, dt, across);
-  s.pair_fluid->potential = NoPotential{};
+  s.as<Dpde>().potential = NoPotential{};
   return s;
 }
 

@@ -67,4 +67,8 @@ class TabulatedFriction {
 
 using AnyFrictionShape = std::variant<PowerFriction, TabulatedFriction>;
 
+inline AnyFrictionShape in_units(AnyFrictionShape const& shape, double length, double friction) {
+  return std::visit([&](auto const& of) -> AnyFrictionShape { return of.in_units(length, friction); }, shape);
+}
+
 } // namespace mesobridge::sdpd

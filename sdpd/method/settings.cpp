@@ -1,79 +1,148 @@
 #include "sdpd/method/settings.hpp"
-#include <algorithm>
+#include "sdpd/neighbours/cells.hpp"
+#include <limits>
 
 namespace mesobridge::sdpd {
 
-namespace {
-
-template <class AnySpecies>
-std::vector<Species> in_units_of(double mass, std::vector<AnySpecies> const& species) {
-  std::vector<Species> reduced;
-  for (auto const& of : species)
-    reduced.push_back({of.name, of.share, mass_of(of) / mass});
-  return reduced;
+ReducedUnits SimulationSettings::units() const {
+  return std::visit([this](auto const& of) { return of.units(*this); }, method);
 }
-
-} // namespace
 
 std::size_t SimulationSettings::particle_count() const {
   return std::size_t{lattice[0]} * lattice[1] * lattice[2];
 }
 
 std::vector<Species> SimulationSettings::reduced_species() const {
-  double const mass = units().mass();
-  return pair_fluid ? in_units_of(mass, pair_fluid->species) : in_units_of(mass, species);
+  std::vector<Species> reduced;
+  std::visit(
+      [&](auto const& method) {
+        for (auto const& of : method.species)
+          reduced.push_back({of.name, of.share, mass_of(of) / units().mass()});
+      },
+      method);
+  return reduced;
 }
 
 double SimulationSettings::spacing() const {
-  double const of_unit_mass = pair_fluid ? std::cbrt(pair_fluid->mass / rho) / units().length() : 1;
+  double const of_unit_mass = std::visit([this](auto const& of) { return of.unit_spacing(*this); }, method);
   return of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
 }
 
 double SimulationSettings::range() const {
-  return pair_fluid ? pair_fluid->range() / units().length() : h_factor * spacing();
+  return std::visit([this](auto const& of) { return of.range(*this); }, method);
 }
 
 Features SimulationSettings::features() const {
-  return {.energies = !pair_fluid || pair_fluid->follows_energy(),
-          .densities = !pair_fluid,
-          .masses = !(pair_fluid ? pair_fluid->species.empty() : species.empty())};
+  return std::visit(
+      [](auto const& of) {
+        Features features = of.features;
+        features.masses = !of.species.empty();
+        return features;
+      },
+      method);
 }
 
 bool SimulationSettings::conducts() const {
-  return pair_fluid ? pair_fluid->conduction.has_value() : kappa > 0;
-}
-
-ReducedUnits SimulationSettings::units() const {
-  if (pair_fluid)
-    return pair_fluid->units(T);
-  return std::visit(
-      [this](auto const& model) {
-        return ReducedUnits{.K = K,
-                            .m0 = model.molecular_mass(),
-                            .density = rho,
-                            .temperature = T,
-                            .boltzmann = model.boltzmann()};
-      },
-      eos);
+  return std::visit([](auto const& of) { return of.conducts(); }, method);
 }
 
 Box box_of(SimulationSettings const& s) {
   return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
 }
 
-/// Skin of the neighbour lists, from the rms step of a particle, dt sqrt(3/K): fast particles want a wide
-/// skin, slow ones a narrow one. The bounds and the factor were chosen by timing the ideal gas and argon at
-/// K = 100, where 0.35 ... 0.5 cost the same, and DPDE fluids at dt = 0.01, which want 0.6 of the particles'
-/// distance: 0.36 ranges with 20 neighbours, 0.24 with 62.
 double skin_of(SimulationSettings const& s) {
-  if (s.pair_fluid && s.skin == 0)
-    return s.spacing() * std::clamp(35 * s.dt * std::sqrt(3.0), 0.4, 0.75);
-  return s.skin > 0 ? s.skin : std::clamp(20 * s.dt * std::sqrt(3 / s.K), 0.3, 0.7);
+  return s.skin > 0 ? s.skin : std::visit([&](auto const& of) { return of.usual_skin(s); }, s.method);
 }
 
-/// Without noise the centres of mass have no thermal motion that could carry anything.
-CentreOfMass centre_of_mass_of(SimulationSettings const& s) {
-  return s.noise ? s.centre_of_mass : CentreOfMass::bulk;
+bool refuses_steps(PairScheme scheme) {
+  return scheme == PairScheme::ams || scheme == PairScheme::ems;
+}
+
+namespace {
+
+template <class AnySpecies>
+void check_species(std::vector<AnySpecies> const& species) {
+  double sum = 0;
+  for (auto const& of : species) {
+    require(species_shares.contains(of.share), fmt::format("share of species '{}'", of.name), of.share,
+            species_shares.demand());
+    require(positive.contains(mass_of(of)), fmt::format("mass of species '{}'", of.name), mass_of(of),
+            positive.demand());
+    sum += of.share;
+  }
+  require(species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
+}
+
+void check_method(SimulationSettings const& s) {
+  std::visit(
+      [&](auto const& method) {
+        method.check(s);
+        check_species(method.species);
+        bool const energies = method.features.energies;
+        require(energies || !refuses_steps(s.scheme.pairs), "scheme", "ams or ems",
+                fmt::format("{} has no internal energies, so there is no step to reject: take ssa or ser",
+                            method.title));
+        require(method.features.densities || s.scheme.pairs != PairScheme::entropy, "scheme", "entropy",
+                "is the original form of SDPD and serves no other method: take ssa or ser");
+        require(energies || s.scheme.pairs != PairScheme::ser_implicit, "scheme", "ser-implicit",
+                fmt::format("{} has no internal energies, which it needs: take ssa or ser", method.title));
+        require(energies || !s.scheme.keep_energy, "energy", "kept",
+                fmt::format("{} has no internal energies that could give or take energy", method.title));
+      },
+      s.method);
+}
+
+/// The momenta of a single particle cannot have a temperature and no sum.
+void check_lattice(SimulationSettings const& s) {
+  double particles = 1;
+  for (auto const n : s.lattice) {
+    require(n >= 1, "particles along an edge", n, "must be >= 1");
+    particles *= n;
+  }
+  require(particles >= 2 && particles <= std::numeric_limits<Index>::max(), "particles", particles,
+          fmt::format("must be 2 ... {}", std::numeric_limits<Index>::max()));
+}
+
+} // namespace
+
+void require_one_species(SimulationSettings const& s, std::string_view asked) {
+  require(!s.features().masses, "species", s.reduced_species().size(),
+          fmt::format("must be one: the {} is known for one equation of state alone", asked));
+}
+
+void check_units(SimulationSettings const& s) {
+  auto const units = s.units();
+  for (auto const& [unit, value] : {std::pair("mass", units.mass()),
+                                    {"length", units.length()},
+                                    {"energy", units.energy()},
+                                    {"time", units.time()},
+                                    {"pressure", units.pressure()},
+                                    {"viscosity", units.viscosity()}})
+    require(
+        positive.contains(value), fmt::format("reduced unit of {}", unit), value,
+        "must be > 0 and finite: a size, mass, density, temperature or cut-off is too small or too large");
+  for (auto const& [length, value] :
+       {std::pair("distance between particles", s.spacing()), {"range of the interaction", s.range()}})
+    require(positive.contains(value), length, value,
+            "must be > 0 and finite in reduced units: the density or a cut-off is too small or too large");
+}
+
+void check(SimulationSettings const& s) {
+  require(positive.contains(s.rho), "density rho", s.rho, positive.demand());
+  require(positive.contains(s.T), "temperature T", s.T, positive.demand());
+  require(positive.contains(s.dt), "time step dt", s.dt, positive.demand() + " (reduced units)");
+  require(not_negative.contains(s.skin), "skin", s.skin, not_negative.demand());
+  require(s.threads >= 1, "threads", s.threads, "must be >= 1");
+  require(s.scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",
+          s.scheme.verlet_steps, "must be >= 1");
+  require(s.disorders.contains(s.disorder), "disorder", s.disorder,
+          s.disorders.demand() + " lattice spacings");
+  check_lattice(s);
+  require(not_negative.contains(s.bath_rate), "rate of the bath", s.bath_rate, not_negative.demand());
+  require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
+  check_method(s);
+  check_units(s);
+  require_cells(box_of(s), s.range() + skin_of(s));
 }
 
 } // namespace mesobridge::sdpd

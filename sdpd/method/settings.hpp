@@ -1,50 +1,43 @@
 #pragma once
-#include "fitting/eos/list.hpp"
 #include "md/box.hpp"
-#include "sdpd/kernel/list.hpp"
-#include "sdpd/method/pair_fluid.hpp"
+#include "sdpd/method/list.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/state/particles.hpp"
 #include "sdpd/state/species.hpp"
-#include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <array>
-#include <optional>
-#include <string>
 
 namespace mesobridge::sdpd {
 
-/// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the equation of state
-/// (SI, but for reduced models), except where it says reduced.
+/// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the method (SI, but
+/// for reduced models), except where it says reduced.
 struct SimulationSettings {
-  fitting::AnyEos eos = fitting::IdealGas(1);
-  /// Several species, whose sizes and equations of state take the place of those here; they remain the units.
-  std::vector<SdpdSpecies> species = {};
-  double rho = 0; ///< mean density, > 0
-  double T = 0;   ///< set temperature, > 0
-  double K = 0;   ///< size of a particle in atoms or molecules, >= 1 and with a heat capacity above k_B/2
-  CentreOfMass centre_of_mass = CentreOfMass::free; ///< without noise it makes no difference: bulk
+  static constexpr NumberRange disorders{.min = 0, .max = 0.5};
+
+  AnyMethod method; ///< with what it alone needs
+  double rho = 0;   ///< mean density, mass per volume, > 0
+  double T = 0;     ///< set temperature, > 0
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
-  double disorder =
-      0; ///< standard deviation of the initial displacements from it, in lattice spacings, 0 ... 0.5
-  std::string kernel = "wendland-c4"; ///< one of kernel_names(); see observe/pairing.hpp
-  DensityCorrection density_correction = {};
-  double h_factor = 2.5; ///< support h = h_factor (m/rho)^(1/3); 2.5 gives about 65 neighbours
-  double eta = 0;        ///< shear viscosity
-  double zeta = 0;       ///< bulk viscosity, < 5 eta/3
-  double kappa = 0;      ///< thermal conductivity of SDPD; 0: no heat conduction
-  bool noise = true;     ///< false: viscous smoothed particle hydrodynamics, which starts at rest
-  double skin = 0;       ///< of the neighbour lists, reduced; 0: chosen from dt and K
-  double dt = 0;         ///< time step, reduced, > 0
+  double disorder = 0; ///< standard deviation of the initial displacements from it, in lattice spacings
+  bool noise = true;   ///< false: viscous smoothed particle hydrodynamics, which starts at rest
+  double skin = 0;     ///< of the neighbour lists, reduced; 0: chosen by the method
+  double dt = 0;       ///< time step, reduced, > 0
   Scheme scheme = {};
   double bath_rate = 0; ///< of the Langevin bath during equilibration, reduced, >= 0; 0: by rescaling
   std::uint64_t seed = 1;
   int threads = 1;
-  /// For DPD and DPDE. The equation of state, K, the kernel, density correction, support and viscosities
-  /// above are SDPD's: they are not used then; rho is the mass per volume.
-  std::optional<PairFluid> pair_fluid = {};
+
+  /// The settings of a method that is known to be this one; throws std::bad_variant_access if it is not.
+  template <class Method>
+  Method& as() {
+    return std::get<Method>(method);
+  }
+  template <class Method>
+  Method const& as() const {
+    return std::get<Method>(method);
+  }
 
   ReducedUnits units() const;
+  double K() const { return units().K; } ///< atoms or molecules of a particle: 1 for DPD and DPDE
   std::size_t particle_count() const;
   std::vector<Species> reduced_species() const; ///< empty for one
   double spacing() const;    ///< mean distance between particles, reduced: 1 for SDPD of one species
@@ -52,6 +45,9 @@ struct SimulationSettings {
   Features features() const; ///< of the particles
   bool conducts() const;     ///< whether particles exchange heat beside their friction
 };
+
+/// Whether steps of pairs may be refused for what they do to internal energies.
+bool refuses_steps(PairScheme scheme);
 
 /// Throws InputError that names the quantity that is out of bounds.
 void check(SimulationSettings const& settings);
@@ -68,8 +64,5 @@ Box box_of(SimulationSettings const& settings);
 
 /// Of the neighbour lists, reduced.
 double skin_of(SimulationSettings const& settings);
-
-/// Without noise the centres of mass have no thermal motion that could carry anything: bulk.
-CentreOfMass centre_of_mass_of(SimulationSettings const& settings);
 
 } // namespace mesobridge::sdpd

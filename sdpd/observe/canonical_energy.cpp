@@ -26,7 +26,7 @@ double mean_energy(AtDensity const& at, double k_B, double T_min, double T_max) 
 
 template <class Eos>
 std::function<double(double)> mean_of(Eos const& eos, SimulationSettings const& settings) {
-  return [particle = ParticleEos<Eos>(eos, settings.units()), k_B = 1 / settings.K,
+  return [particle = ParticleEos<Eos>(eos, settings.units()), k_B = 1 / settings.K(),
           T_min = eos.domain().T_min / settings.T, T_max = eos.domain().T_max / settings.T](double rho) {
     return mean_energy(particle.at(rho), k_B, T_min, T_max);
   };
@@ -37,11 +37,11 @@ std::function<double(double)> mean_of(Eos const& eos, SimulationSettings const& 
 CanonicalEnergy::CanonicalEnergy(SimulationSettings const& settings)
     : mean_(std::visit(
           [&](auto const& bulk) {
-            return settings.centre_of_mass == CentreOfMass::free
-                       ? mean_of(fitting::CentreOfMassFree(bulk, settings.K), settings)
+            return settings.as<Sdpd>().centre_of_mass == CentreOfMass::free
+                       ? mean_of(fitting::CentreOfMassFree(bulk, settings.K()), settings)
                        : mean_of(bulk, settings);
           },
-          settings.eos)) {
+          settings.as<Sdpd>().eos)) {
   require_one_species(settings, "canonical energy");
 }
 

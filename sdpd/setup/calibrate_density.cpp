@@ -28,15 +28,16 @@ struct Target {
 Target target_of(SimulationSettings const& s) {
   require_one_species(s, "pressure");
   auto const units = s.units();
-  double const motion = s.noise ? 1 / s.K : 0;
+  auto const& fluid = s.as<Sdpd>();
+  double const motion = s.noise ? 1 / fluid.K : 0;
   return std::visit(
       [&](auto const& eos) {
         auto const isochore = eos.isochore(s.rho);
         double const P = isochore.pressure(s.T) / units.pressure();
         double const modulus = s.rho * isochore.pressure_density_slope(s.T) / units.pressure();
-        return Target{P, motion, modulus - (s.centre_of_mass == CentreOfMass::free ? motion : 0)};
+        return Target{P, motion, modulus - (fluid.centre_of_mass == CentreOfMass::free ? motion : 0)};
       },
-      s.eos);
+      fluid.eos);
 }
 
 /// The particles' part of the pressure against their bulk modulus.
@@ -51,7 +52,7 @@ std::array<std::uint32_t, 3> small_box(SimulationSettings const& s) {
   for (auto const n : s.lattice)
     count *= n;
   auto const side = static_cast<std::uint32_t>(
-      std::max(std::round(std::cbrt(enough_particles)), std::ceil(2 * (s.h_factor + widest_skin))));
+      std::max(std::round(std::cbrt(enough_particles)), std::ceil(2 * (s.range() + widest_skin))));
   if (count > enough_particles && count > double(side) * side * side)
     return {side, side, side};
   return s.lattice;
@@ -67,9 +68,9 @@ class Calibration {
   Calibration(SimulationSettings const& settings, ScaleCondition condition,
               std::function<bool()> const& keep_going)
       : condition_(condition), keep_going_(keep_going), dt_(settings.dt), target_(target_of(settings)),
-        simulation_(settings), correction_(settings.density_correction),
+        simulation_(settings), correction_(settings.as<Sdpd>().density_correction),
         W_0_(std::visit([](auto const& kernel) { return kernel.W(0.0); },
-                        make_kernel(settings.kernel, settings.h_factor))) {
+                        make_kernel(settings.as<Sdpd>().kernel, settings.range()))) {
     check_calibration(settings, condition);
   }
 

@@ -76,9 +76,10 @@ class TrialRun {
   void take_instant() {
     auto const now = simulation_.snapshot();
     sampler_.sample(moments(now));
+    double const K = settings_.K();
     auto& values = ++instants_taken_ <= instants / 2 ? first_ : second_;
     for (double const eps : now.eps)
-      values.push_back(eps * settings_.K);
+      values.push_back(eps * K);
   }
 
   std::vector<double> histogram(std::vector<double> const& values) const {
@@ -97,7 +98,7 @@ class TrialRun {
 
   TrialResult result() const {
     auto const equilibrium = sampler_.result();
-    double const K = settings_.K;
+    double const K = settings_.K();
     auto in = [](cg::Estimate const& e, double unit) {
       return cg::Estimate{e.mean * unit, e.se * unit, e.n_eff};
     };
@@ -139,7 +140,7 @@ class TrialRun {
 
   void add_drift(TrialResult& found) const {
     std::size_t const samples =
-        samples_before_heating(sampler_.energies(), most_heating * heat_capacity_ / settings_.K);
+        samples_before_heating(sampler_.energies(), most_heating * heat_capacity_ / settings_.K());
     auto const times = sampler_.times().first(samples), energies = sampler_.energies().first(samples);
     bool const cut = found.failed() || samples < sampler_.times().size();
     found.drift_unknown = samples < least_samples || (cut && times.back() < least_time);
@@ -155,7 +156,7 @@ class TrialRun {
                            settings_.scheme.conservative == Conservative::none;
     if (conserved || settings_.scheme.pairs == PairScheme::ser || !enough_for_energy_walk(times, walk_lag))
       return {};
-    return drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K, 1);
+    return drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K(), 1);
   }
 
   Trial const& trial_;

@@ -19,51 +19,53 @@ struct Options {
   int steps = 20, repeats = 5;
 };
 
-sdpd::SimulationSettings settings_of(Options const& options, int threads) {
-  bool const ideal = options.eos == "ideal-gas";
-  return {.eos = ideal ? fitting::AnyEos(fitting::IdealGas(1e-25)) : fitting::material(options.eos).eos,
-          .rho = 1150,
-          .T = 1000,
-          .K = options.K,
+sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::AnyMethod method) {
+  return {.method = std::move(method),
           .lattice = {options.side, options.side, options.side},
           .disorder = 0.15,
-          .kernel = options.kernel,
-          .eta = 2e-3,
-          .kappa = options.kappa,
-          .dt = ideal ? 0.1 : 0.05,
           .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
           .threads = threads};
+}
+
+sdpd::SimulationSettings make(std::type_identity<sdpd::Sdpd>, Options const& options, int threads) {
+  bool const ideal = options.eos == "ideal-gas";
+  auto settings = settings_of(options, threads,
+                              sdpd::Sdpd{.eos = ideal ? fitting::AnyEos(fitting::IdealGas(1e-25))
+                                                      : fitting::material(options.eos).eos,
+                                         .K = options.K,
+                                         .kernel = options.kernel,
+                                         .eta = 2e-3,
+                                         .kappa = options.kappa});
+  settings.rho = 1150, settings.T = 1000, settings.dt = ideal ? 0.1 : 0.05;
+  return settings;
 }
 
 /// The soft fluid of Groot and Warren at its density 3, with a repulsion that keeps its pressure and a
 /// friction that keeps its viscosity about the same when the cut-off, which is the unit of length, reaches
 /// more neighbours.
-sdpd::SimulationSettings pair_fluid_settings(Options const& options, int threads) {
+template <std::derived_from<sdpd::PairFluid> Method>
+sdpd::SimulationSettings make(std::type_identity<Method>, Options const& options, int threads) {
   double const customary = 3, rho = options.neighbours / (4 * std::numbers::pi / 3);
-  sdpd::SimulationSettings settings{
-      .rho = rho,
-      .T = 1,
-      .K = 1,
-      .lattice = {options.side, options.side, options.side},
-      .disorder = 0.15,
-      .dt = 0.01,
-      .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
-      .threads = threads};
-  settings.pair_fluid = sdpd::PairFluid{.mass = 1,
-                                        .potential = sdpd::SoftPotential(25 * customary / rho, 1),
-                                        .friction = sdpd::PowerFriction(4.5 * customary / rho, 0, 1, 2),
-                                        .internal_energy = {}};
-  if (options.method == "dpde")
-    settings.pair_fluid->internal_energy = fitting::ConstantHeatCapacity(options.K);
-  if (options.kappa > 0)
-    settings.pair_fluid->conduction = sdpd::PowerFriction(options.kappa, 0, 1, 2);
+  sdpd::PairFluid const particles{.mass = 1,
+                                  .potential = sdpd::SoftPotential(25 * customary / rho, 1),
+                                  .friction = sdpd::PowerFriction(4.5 * customary / rho, 0, 1, 2)};
+  auto settings = settings_of(options, threads, sdpd::Dpd{particles});
+  if constexpr (Method::features.energies) {
+    settings.method = sdpd::Dpde{particles, fitting::ConstantHeatCapacity(options.K)};
+    if (options.kappa > 0)
+      settings.as<sdpd::Dpde>().conduction = sdpd::PowerFriction(options.kappa, 0, 1, 2);
+  } else if (options.kappa > 0)
+    throw InputError("heat conduction: DPD has no internal energies that could be exchanged; take DPDE");
+  settings.rho = rho, settings.T = 1, settings.dt = 0.01;
   return settings;
 }
 
 Result run(Options const& options, Context& context) {
   int const threads = context.options.threads.value_or(1);
-  sdpd::Simulation simulation(options.method == "sdpd" ? settings_of(options, threads)
-                                                       : pair_fluid_settings(options, threads));
+  bool const densities = sdpd::method_named(options.method).features.densities;
+  std::optional<sdpd::Simulation> made;
+  sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
+  auto& simulation = made.value();
   // A disordered start settles first: lists, densities and caches are then those of a fluid.
   sdpd::equilibrate(simulation, 64, [] { return true; });
   std::vector<double> cost;
@@ -84,9 +86,9 @@ Result run(Options const& options, Context& context) {
                  {"method", options.method},
                  {"scheme", options.scheme},
                  {"fluctuate_every", options.fluctuate_every},
-                 {"eos", options.method == "sdpd" ? options.eos : "none"},
-                 {"kernel", options.method == "sdpd" ? options.kernel : "none"},
-                 {options.method == "sdpd" ? "kappa_W_m_K" : "kappa_reduced", options.kappa},
+                 {"eos", densities ? options.eos : "none"},
+                 {"kernel", densities ? options.kernel : "none"},
+                 {densities ? "kappa_W_m_K" : "kappa_reduced", options.kappa},
                  {"n", simulation.size()},
                  {"K", options.K},
                  {"repeats", options.repeats}};
@@ -94,14 +96,13 @@ Result run(Options const& options, Context& context) {
       fmt::format("{:.3f} us per particle and step (median of {}, {:.3f} ... {:.3f}); {} particles, {:.1f} "
                   "neighbours, {} thread(s), {}, {}",
                   cost[cost.size() / 2], options.repeats, cost.front(), cost.back(), simulation.size(),
-                  simulation.neighbours(), threads, options.scheme,
-                  options.method == "sdpd" ? options.eos : options.method);
+                  simulation.neighbours(), threads, options.scheme, densities ? options.eos : options.method);
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--method", options.method, "what is timed")
-      ->check(CLI::IsMember({"sdpd", "dpde", "dpd"}))
+      ->check(CLI::IsMember(sdpd::method_names()))
       ->capture_default_str();
   app.add_option("--neighbours", options.neighbours,
                  "within the cut-off, for dpde and dpd; the kernel decides for sdpd")

@@ -5,6 +5,7 @@
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/target.hpp"
 #include "workflows/study/trade_off_summary.hpp"
+#include "workflows/study/tries.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
@@ -27,24 +28,22 @@ struct Options {
 /// What the options leave open. DPD has no energies that ams and ems could look at.
 TradeOffPlan completed(TradeOffPlan plan, Scene const& scene) {
   if (plan.schemes.empty())
-    plan.schemes = scene.has_energies() ? std::vector<std::string>{"ssa", "ams", "ems"}
-                                        : std::vector<std::string>{"ssa", "ser"};
+    plan.schemes = scene.features().energies ? std::vector<std::string>{"ssa", "ams", "ems"}
+                                             : std::vector<std::string>{"ssa", "ser"};
   if (plan.dt.empty())
-    plan.dt =
-        scene.is_sdpd() ? std::vector{0.05, 0.1, 0.15, 0.2, 0.3} : std::vector{0.01, 0.02, 0.03, 0.04, 0.06};
+    plan.dt = tries_of(scene).compared;
   if (plan.K.empty())
     plan.K = {scene.particles.K};
   else
-    require(scene.is_sdpd(), "--K", plan.K.front(),
+    require(scene.features().densities, "--K", plan.K.front(),
             "belongs to SDPD: the particles of this scene have no size");
   return plan;
 }
 
 void check_plan(TradeOffPlan const& plan, Scene const& scene) {
   for (auto const& name : plan.schemes)
-    require(scene.has_energies() || (sdpd::pair_scheme(name) != sdpd::PairScheme::ams &&
-                                     sdpd::pair_scheme(name) != sdpd::PairScheme::ems),
-            "--schemes", name, "DPD has no internal energies, so there is no step to reject");
+    require(scene.features().energies || !sdpd::refuses_steps(sdpd::pair_scheme(name)), "--schemes", name,
+            "DPD has no internal energies, so there is no step to reject");
   for (auto const& name : plan.integrators)
     sdpd::conservative_integrator(name);
   for (auto const& name : plan.splittings)
@@ -52,7 +51,8 @@ void check_plan(TradeOffPlan const& plan, Scene const& scene) {
   for (double const dt : plan.dt)
     require(dt > 0 && std::isfinite(dt), "--dt", dt, "must be > 0 (reduced units)");
   for (double const K : plan.K)
-    require(!scene.is_sdpd() || (K >= 1 && std::isfinite(K)), "--K", K, "must be >= 1");
+    require(!scene.features().densities || sdpd::Sdpd::sizes.contains(K), "--K", K,
+            "must be " + sdpd::Sdpd::sizes.text());
 }
 
 Target target_of(Options const& options, Scene const& scene) {
@@ -65,7 +65,7 @@ Target target_of(Options const& options, Scene const& scene) {
   };
   Target target;
   if (options.drift)
-    require(scene.has_energies(), "--drift", *options.drift,
+    require(scene.features().energies, "--drift", *options.drift,
             "the thermostat of DPD keeps no energy that could drift; wish for a --bias");
   double const time = settings_of(scene, 1).units().time();
   read("--drift", options.drift,

@@ -64,7 +64,7 @@ VerdictLine gamma_line(RunResult const& run) {
   constexpr double least = 1e-3;
   auto const test = gamma_test(run);
   return {.what = fmt::format("Ideal gas, K = {:g}: internal energies follow the exact Gamma law",
-                              run.settings.K),
+                              run.settings.K()),
           .found = fmt::format("Kolmogorov-Smirnov p = {:.3f}, {} samples", test.p_value, test.samples),
           .expected = fmt::format("p > {:g}", least),
           .verdict = test.p_value > least ? Verdict::passed : Verdict::failed,
@@ -73,7 +73,7 @@ VerdictLine gamma_line(RunResult const& run) {
 }
 
 void add_run(std::vector<VerdictLine>& lines, std::string const& name, RunResult const& run) {
-  auto const who = fmt::format("{}, K = {:g}: ", name, run.settings.K);
+  auto const who = fmt::format("{}, K = {:g}: ", name, run.settings.K());
   lines.push_back(check_line(who + "kinetic and internal temperature [K]", temperatures_of(run)));
   lines.push_back(
       check_line(who + "pressure [GPa] and mean density [kg/m³] of the equation of state", state_of(run)));
@@ -124,7 +124,7 @@ std::vector<Comparison> state_of(RunResult const& run) {
   double const rho = run.settings.rho, GPa = run.settings.units().pressure() / 1e9;
   double const P = std::visit(
       [&](auto const& eos) { return fitting::state_from_temperature(eos, rho, run.settings.T).P / 1e9; },
-      run.settings.eos);
+      run.settings.as<sdpd::Sdpd>().eos);
   double P_se = calibration_accuracy * P, rho_se = calibration_accuracy * rho;
   if (run.summary.contains("density_calibration")) {
     auto const& calibration = run.summary["density_calibration"];

@@ -13,7 +13,7 @@ Series against_size(std::string label, std::vector<RunResult> const& runs, int c
   Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .colour = colour};
   for (auto const& run : runs) {
     cg::Estimate const e = estimate(run);
-    series.x.push_back(run.settings.K), series.y.push_back(e.mean), series.y_error.push_back(e.se);
+    series.x.push_back(run.settings.K()), series.y.push_back(e.mean), series.y_error.push_back(e.se);
   }
   return series;
 }
@@ -26,7 +26,7 @@ Series curve_over_sizes(std::string label, std::vector<RunResult> const& runs, i
                 .y_error = {},
                 .style = SeriesStyle::dashes,
                 .colour = colour};
-  double const low = runs.front().settings.K, high = runs.back().settings.K;
+  double const low = runs.front().settings.K(), high = runs.back().settings.K();
   for (int k = 0; k <= 60; ++k) {
     double const K = low * std::pow(high / low, k / 60.0);
     series.x.push_back(K), series.y.push_back(value(K));
@@ -48,18 +48,18 @@ cg::Estimate scaled(cg::Estimate const& e, double unit) {
 }
 
 std::string size_label(RunResult const& run) {
-  return fmt::format("K = {:g}", run.settings.K);
+  return fmt::format("K = {:g}", run.settings.K());
 }
 
 /// The limits of a logarithmic axis around the sizes.
 void frame_sizes(Plot& plot, std::vector<RunResult> const& runs) {
-  plot.x.min = runs.front().settings.K / 1.5;
-  plot.x.max = runs.back().settings.K * 1.5;
+  plot.x.min = runs.front().settings.K() / 1.5;
+  plot.x.max = runs.back().settings.K() * 1.5;
 }
 
 fitting::EosState target(RunResult const& run) {
   return std::visit([&](auto const& eos) { return fitting::state_from_temperature(eos, fluid_rho, fluid_T); },
-                    run.settings.eos);
+                    run.settings.as<sdpd::Sdpd>().eos);
 }
 
 } // namespace
@@ -135,7 +135,7 @@ Plot variances_against_size(ChainResults const& results) {
 std::vector<Plot> fluid_distributions(ChainResults const& results) {
   std::vector<LabelledSamples> eps, rho, P;
   for (auto const& run : results.fluid) {
-    double const thermal = run.settings.units().boltzmann * run.settings.T * run.settings.K;
+    double const thermal = run.settings.units().boltzmann * run.settings.T * run.settings.K();
     eps.push_back({size_label(run), run.eps, thermal});
     rho.push_back({size_label(run), run.rho, 1});
     P.push_back({size_label(run), run.P, 1e9});
@@ -158,11 +158,11 @@ std::vector<Plot> ideal_gas_distributions(ChainResults const& results) {
   std::vector<Plot> plots;
   for (auto const& run : results.ideal) {
     double const thermal = run.settings.units().boltzmann * run.settings.T;
-    auto plot = distribution_plot(fmt::format("idealK{:g}", run.settings.K),
-                                  fmt::format("Ideal gas, K = {:g}", run.settings.K), "eps / k_B T",
+    auto plot = distribution_plot(fmt::format("idealK{:g}", run.settings.K()),
+                                  fmt::format("Ideal gas, K = {:g}", run.settings.K()), "eps / k_B T",
                                   {{"SDPD", run.eps, thermal}});
     auto const& x = plot.panels[0].series[0].x;
-    plot.panels[0].series.push_back(gamma_law(run.settings.K, x.front(), x.back(), 1));
+    plot.panels[0].series.push_back(gamma_law(run.settings.K(), x.front(), x.back(), 1));
     plots.push_back(std::move(plot));
   }
   return plots;

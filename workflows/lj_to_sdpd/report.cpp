@@ -19,7 +19,7 @@ Table fluid_table(ChainResults const& results) {
   auto const& first = results.fluid.front();
   auto const eos =
       std::visit([](auto const& model) { return fitting::state_from_temperature(model, fluid_rho, fluid_T); },
-                 first.settings.eos);
+                 first.settings.as<sdpd::Sdpd>().eos);
   Table table{.header = {"K", "T kinetic [K]", "T internal [K]", "P virial [GPa]", "P thesis [GPa]",
                          "P / P EoS", "density [kg/m³]", "density thesis [kg/m³]", "drift [1/time]"},
               .rows = {},
@@ -29,9 +29,9 @@ Table fluid_table(ChainResults const& results) {
                   eos.P / 1e9)};
   for (auto const& run : results.fluid) {
     auto const& e = run.equilibrium;
-    auto const thesis = thesis_means(run.settings.K);
+    auto const thesis = thesis_means(run.settings.K());
     auto const P = scaled(e.P, run.settings.units().pressure() / 1e9);
-    table.rows.push_back({number_text(run.settings.K), with_error_text(scaled(e.T_kin, fluid_T)),
+    table.rows.push_back({number_text(run.settings.K()), with_error_text(scaled(e.T_kin, fluid_T)),
                           with_error_text(scaled(e.T_int, fluid_T)), with_error_text(P),
                           number_text(thesis.pressure, 4), with_error_text(scaled(P, 1e9 / eos.P)),
                           with_error_text(scaled(e.rho.mean, fluid_rho)), number_text(thesis.density, 5),
@@ -46,14 +46,14 @@ Table published_table(ChainResults const& results) {
               .caption = "The same fluid by both equations of state: what the fit changes in SDPD."};
   auto add = [&](std::string const& name, RunResult const& run) {
     auto const& e = run.equilibrium;
-    table.rows.push_back({name, number_text(run.settings.K),
+    table.rows.push_back({name, number_text(run.settings.K()),
                           with_error_text(scaled(e.P, run.settings.units().pressure() / 1e9)),
                           with_error_text(scaled(e.T_int, fluid_T)),
                           with_error_text(scaled(e.rho.mean, fluid_rho))});
   };
   for (auto const& run : results.published) {
     for (auto const& fitted : results.fluid)
-      if (fitted.settings.K == run.settings.K)
+      if (fitted.settings.K() == run.settings.K())
         add("fitted", fitted);
     add("published", run);
   }
@@ -190,7 +190,7 @@ Section drift_section(ChainResults const& results) {
   auto const laws = drift_laws(results.drift);
   std::vector<std::pair<std::string, RunResult const*>> curves;
   for (auto const& run : results.drift)
-    if (run.settings.K == 100 && run.settings.dt >= 0.3)
+    if (run.settings.K() == 100 && run.settings.dt >= 0.3)
       curves.emplace_back(fmt::format("K = 100, dt = {:g}", run.settings.dt), &run);
   return {
       "Energy drift of the splitting",

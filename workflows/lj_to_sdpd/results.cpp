@@ -26,7 +26,7 @@ void fit(DriftLaw& law) {
 std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs) {
   std::vector<DriftLaw> laws;
   for (auto const& run : runs) {
-    double const K = run.settings.K;
+    double const K = run.settings.K();
     auto found = std::find_if(laws.begin(), laws.end(), [K](DriftLaw const& law) { return law.K == K; });
     if (found == laws.end())
       found = laws.insert(laws.end(), DriftLaw{.K = K});
@@ -40,7 +40,8 @@ std::vector<DriftLaw> drift_laws(std::vector<RunResult> const& runs) {
 }
 
 GammaTest gamma_test(RunResult const& run) {
-  double const thermal = run.settings.units().boltzmann * run.settings.T, shape = 1.5 * (run.settings.K - 1);
+  double const thermal = run.settings.units().boltzmann * run.settings.T,
+               shape = 1.5 * (run.settings.K() - 1);
   std::vector<double> energies(run.eps);
   for (auto& energy : energies)
     energy /= thermal;

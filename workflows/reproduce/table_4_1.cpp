@@ -30,13 +30,11 @@ std::vector<Timed> schemes() {
 }
 
 sdpd::SimulationSettings settings(sdpd::Scheme const& scheme, std::uint64_t seed) {
-  return {.eos = fitting::IdealGas(1e-25),
+  return {.method = sdpd::Sdpd{.eos = fitting::IdealGas(1e-25), .K = K, .eta = 2e-3},
           .rho = 1150,
           .T = 1000,
-          .K = K,
           .lattice = {10, 10, 10},
           .disorder = 0.15,
-          .eta = 2e-3,
           .dt = dt,
           .scheme = scheme,
           .seed = seed};

@@ -1,6 +1,7 @@
 #include "workflows/scene/checks.hpp"
 #include "fitting/eos/list.hpp"
 #include "md/error.hpp"
+#include "sdpd/method/list.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
@@ -93,7 +94,7 @@ void check_wish(Scene const& scene, Places const& places) {
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
   if (scheme.drift)
     require_together(
-        scene.has_energies(), places, "scheme.drift", *scheme.drift,
+        scene.features().energies, places, "scheme.drift", *scheme.drift,
         "must not be given: the thermostat of dpd keeps no energy that could drift; wish for a bias");
   require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
                    "needs a wish: scheme.drift, such as \"1e-6/ps\", or scheme.bias, such as \"0.5%\"");
@@ -117,7 +118,7 @@ void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Place
 
 namespace {
 
-void check_sdpd(Scene const& scene, Places const& places) {
+void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
   require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
@@ -127,6 +128,11 @@ void check_sdpd(Scene const& scene, Places const& places) {
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
       fmt::format("must be < 5 eta / 3 = {:.6g}, or the friction coefficient a_ij turns negative", limit));
+}
+
+template <std::derived_from<sdpd::PairFluid> Method>
+void check_keys(std::type_identity<Method>, Scene const& scene, Places const& places) {
+  check_pair_fluid(scene, places);
 }
 
 /// The quantities that the scene names must be its method's, and there must be some.
@@ -157,7 +163,7 @@ void check_schedules(Scene const& scene, Places const& places) {
 } // namespace
 
 void check_together(Scene const& scene, Places const& places) {
-  scene.is_sdpd() ? check_sdpd(scene, places) : check_pair_fluid(scene, places);
+  sdpd::for_method(scene.method.name, [&](auto type) { check_keys(type, scene, places); });
   check_wish(scene, places);
   check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs

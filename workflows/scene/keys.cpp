@@ -1,4 +1,5 @@
 #include "workflows/scene/keys.hpp"
+#include "sdpd/method/list.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,10 @@ std::string type_name(SceneKey const& key) {
 }
 
 } // namespace
+
+sdpd::Features Scene::features() const {
+  return sdpd::method_named(method.name).features;
+}
 
 bool SceneKey::belongs_to(std::string const& method) const {
   return methods.empty() || std::ranges::find(methods, method) != methods.end();

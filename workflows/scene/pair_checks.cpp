@@ -1,6 +1,7 @@
 #include "workflows/scene/pair_checks.hpp"
 #include "md/error.hpp"
-#include "sdpd/potential/list.hpp"
+#include "sdpd/method/settings.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include <algorithm>
 
@@ -71,10 +72,10 @@ void check_conduction(Scene const& scene, Places const& places) {
 
 void check_internal_energy(Scene const& scene, Places const& places) {
   auto const& [heat_capacity, model] = scene.internal_energy;
-  if (scene.method.name == "dpde" && heat_capacity.has_value() == model.has_value())
-    throw InputError(fmt::format("{}: a dpde scene needs one of internal_energy.heat_capacity and "
+  if (scene.features().energies && heat_capacity.has_value() == model.has_value())
+    throw InputError(fmt::format("{}: a {} scene needs one of internal_energy.heat_capacity and "
                                  "internal_energy.model{}",
-                                 places.of("method.name"), model ? ", not both" : ""));
+                                 places.of("method.name"), scene.method.name, model ? ", not both" : ""));
 }
 
 void resolve(std::optional<std::string>& file, std::string const& key, std::filesystem::path const& folder,
@@ -94,15 +95,16 @@ void check_pair_fluid(Scene const& scene, Places const& places) {
   check_friction(scene, places);
   check_conduction(scene, places);
   check_internal_energy(scene, places);
-  auto refuse_for_dpd = [&](bool given, std::string const& key, std::string const& value,
-                            std::string const& why) {
-    if (scene.method.name == "dpd" && given)
-      throw InputError(fmt::format("{}: {} = \"{}\": {}", places.of(key), key, value, why));
+  auto refuse_without_energies = [&](bool given, std::string const& key, std::string const& value,
+                                     std::string const& why) {
+    if (auto const& method = sdpd::method_named(scene.method.name); given && !method.features.energies)
+      throw InputError(fmt::format("{}: {} = \"{}\": {} has no internal energies{}", places.of(key), key,
+                                   value, method.title, why));
   };
-  refuse_for_dpd(scene.scheme.name == "ams" || scene.scheme.name == "ems", "scheme.name", scene.scheme.name,
-                 "DPD has no internal energies, so there is no step to reject: take \"ssa\" or \"ser\"");
-  refuse_for_dpd(scene.scheme.energy == "kept", "scheme.energy", "kept",
-                 "DPD has no internal energies that could give or take energy");
+  refuse_without_energies(sdpd::refuses_steps(sdpd::pair_scheme(scene.scheme.name)), "scheme.name",
+                          scene.scheme.name, ", so there is no step to reject: take \"ssa\" or \"ser\"");
+  refuse_without_energies(scene.scheme.energy == "kept", "scheme.energy", "kept",
+                          " that could give or take energy");
 }
 
 void resolve_pair_files(Scene& scene, std::filesystem::path const& folder, Places const& places) {

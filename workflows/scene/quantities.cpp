@@ -1,4 +1,5 @@
 #include "workflows/scene/quantities.hpp"
+#include "sdpd/method/list.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -7,9 +8,9 @@ namespace {
 
 std::vector<std::string> methods_with(bool sdpd::Features::*feature) {
   std::vector<std::string> methods;
-  for (auto const* method : {"sdpd", "dpde", "dpd"})
-    if (features_of(method).*feature)
-      methods.push_back(method);
+  for (auto const& method : sdpd::methods())
+    if (method.features.*feature)
+      methods.emplace_back(method.name);
   return methods;
 }
 
@@ -24,15 +25,15 @@ std::vector<NamedQuantity> fields_with(bool sdpd::Field::*taken) {
 
 } // namespace
 
-sdpd::Features features_of(std::string_view method) {
-  return {.energies = method != "dpd", .densities = method == "sdpd"};
-}
-
 std::vector<NamedQuantity> const& profile_quantities() {
   static auto const all = [] {
-    std::vector<NamedQuantity> of{{"rho", {"sdpd", "dpde", "dpd"}},   {"velocity", {"sdpd", "dpde", "dpd"}},
-                                  {"T_kin", {"sdpd", "dpde", "dpd"}}, {"T_int", {"sdpd", "dpde"}},
-                                  {"P_internal", {"sdpd"}},           {"P", {"sdpd", "dpde", "dpd"}}};
+    auto const all = sdpd::method_names();
+    std::vector<NamedQuantity> of{{"rho", all},
+                                  {"velocity", all},
+                                  {"T_kin", all},
+                                  {"T_int", methods_with(&sdpd::Features::energies)},
+                                  {"P_internal", methods_with(&sdpd::Features::densities)},
+                                  {"P", all}};
     for (auto const& field : fields_with(&sdpd::Field::profiled))
       of.push_back(field);
     return of;

@@ -1,7 +1,5 @@
 #pragma once
-#include "sdpd/state/particles.hpp"
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace mesobridge::workflows {
@@ -11,9 +9,6 @@ struct NamedQuantity {
   std::string name;
   std::vector<std::string> methods;
 };
-
-/// What the particles of a method have.
-sdpd::Features features_of(std::string_view method);
 
 /// What a profile may show.
 std::vector<NamedQuantity> const& profile_quantities();

@@ -213,10 +213,9 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
           fmt::format("{}: {} = {}: {}", places.of(key.path()), key.path(), text_of(*node), error.what()));
     }
   }
-  if (scene.is_sdpd())
+  if (scene.features().densities)
     resolve_model_path(scene, file.parent_path(), places);
-  else
-    resolve_pair_files(scene, file.parent_path(), places);
+  resolve_pair_files(scene, file.parent_path(), places);
   check_together(scene, places);
   return scene;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/state/particles.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -140,8 +141,7 @@ struct Scene {
 
   bool operator==(Scene const&) const = default;
 
-  bool is_sdpd() const { return method.name == "sdpd"; }
-  bool has_energies() const { return method.name != "dpd"; } ///< of the particles, internal ones
+  sdpd::Features features() const; ///< of the method's particles
 };
 
 /// Reads and checks a scene file; each override is "section.key=value" and wins over the file.

@@ -24,7 +24,7 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
 } // namespace
 
 bool wants_calibration(Scene const& scene) {
-  return scene.is_sdpd() && !scene.particles.density_scale && condition_of(scene);
+  return scene.features().densities && !scene.particles.density_scale && condition_of(scene);
 }
 
 std::int64_t calibration_steps(Scene const& scene) {

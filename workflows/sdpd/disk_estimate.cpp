@@ -26,7 +26,7 @@ double count_fields(sdpd::Features const& has, bool sdpd::Field::*taken) {
 }
 
 Particle particle_of(Scene const& scene) {
-  auto const has = features_of(scene.method.name);
+  auto const has = scene.features();
   double const scalars = count_fields(has, &sdpd::Field::written),
                checkpoint = 10 + count_fields(has, &sdpd::Field::checkpointed);
   if (has.densities)

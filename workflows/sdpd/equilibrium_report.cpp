@@ -29,42 +29,36 @@ void add_energies(Table& table, RunResult const& run, OutputUnits const& units) 
        ""});
 }
 
+/// Means over the run beside what the settings say of them; what has no such value stands alone.
 Table numbers(RunResult const& run, OutputUnits const& units) {
   auto const& e = run.equilibrium;
+  auto const& settings = run.settings;
+  auto const features = settings.features();
+  bool const energies = features.energies, densities = features.densities;
   bool const si = run.scene.units == UnitSystem::SI;
-  auto const state = std::visit(
-      [&](auto const& eos) { return fitting::state_from_temperature(eos, run.settings.rho, run.settings.T); },
-      run.settings.eos);
   Table table{.header = comparison_header(),
               .rows = {},
-              .caption = "Means over the run beside the equation of state at the "
-                         "set density and temperature."};
+              .caption = densities ? "Means over the run beside the equation of state at the set density and "
+                                     "temperature."
+                                   : "Means over the run beside the set temperature."};
   table.rows.push_back(comparison_row(with_unit("kinetic temperature", si ? "K" : ""),
-                                      scaled(e.T_kin, units.temperature), run.settings.T));
-  table.rows.push_back(comparison_row(with_unit("internal temperature", si ? "K" : ""),
-                                      scaled(e.T_int, units.temperature), run.settings.T));
-  table.rows.push_back(
-      comparison_row(with_unit("pressure", si ? "Pa" : ""), scaled(e.P, units.pressure), state.P));
-  table.rows.push_back(comparison_row(with_unit("mean density", si ? "kg/m^3" : ""),
-                                      scaled(e.rho.mean, units.density), state.rho));
-  add_energies(table, run, units);
-  return table;
-}
-
-/// Means of a DPD or DPDE run: for its pressure there is nothing to compare with.
-Table pair_fluid_numbers(RunResult const& run, OutputUnits const& units) {
-  auto const& e = run.equilibrium;
-  bool const si = run.scene.units == UnitSystem::SI;
-  Table table{
-      .header = comparison_header(), .rows = {}, .caption = "Means over the run beside the set temperature."};
-  table.rows.push_back(comparison_row(with_unit("kinetic temperature", si ? "K" : ""),
-                                      scaled(e.T_kin, units.temperature), run.settings.T));
-  if (run.settings.pair_fluid->follows_energy())
-    table.rows.push_back(comparison_row(with_unit("internal temperature (harmonic mean)", si ? "K" : ""),
-                                        scaled(e.T_int, units.temperature), run.settings.T));
-  table.rows.push_back(
-      {with_unit("pressure", si ? "Pa" : ""), with_error_text(scaled(e.P, units.pressure)), "", "", ""});
-  if (run.settings.pair_fluid->follows_energy())
+                                      scaled(e.T_kin, units.temperature), settings.T));
+  if (energies)
+    table.rows.push_back(comparison_row(
+        with_unit(densities ? "internal temperature" : "internal temperature (harmonic mean)", si ? "K" : ""),
+        scaled(e.T_int, units.temperature), settings.T));
+  auto const pressure = with_unit("pressure", si ? "Pa" : "");
+  auto const P = scaled(e.P, units.pressure);
+  if (densities) {
+    auto const state = std::visit(
+        [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
+        settings.as<sdpd::Sdpd>().eos);
+    table.rows.push_back(comparison_row(pressure, P, state.P));
+    table.rows.push_back(comparison_row(with_unit("mean density", si ? "kg/m^3" : ""),
+                                        scaled(e.rho.mean, units.density), state.rho));
+  } else
+    table.rows.push_back({pressure, with_error_text(P), "", "", ""});
+  if (energies)
     add_energies(table, run, units);
   return table;
 }
@@ -89,7 +83,7 @@ Section time_section(std::filesystem::path const& run_file, RunResult const& run
             "The sampled part of the run (means of neighbouring samples where there are many); dashes "
             "and bands: the mean over the run ± its standard error, which knows the samples' memory.");
   Section section{"In time", {}};
-  if (run.scene.has_energies()) {
+  if (run.scene.features().energies) {
     figure.svgs.push_back(draw_svg(energy_error_plot("energyerror", {{"", &run}})));
     figure.caption += fmt::format(" The relative energy error drifts at {} per reduced unit of time.",
                                   with_error_text({run.equilibrium.drift.rate, run.equilibrium.drift.se, 8}));
@@ -106,7 +100,7 @@ std::vector<Plot> distributions(std::filesystem::path const& run_file, RunResult
   std::vector<Plot> plots;
   if (!run.eps.empty()) {
     auto const& units = run.settings.units();
-    double const thermal = run.settings.pair_fluid ? units.energy() : units.boltzmann * run.settings.T;
+    double const thermal = units.boltzmann * units.temperature;
     plots.push_back(
         distribution_plot("energies", "Internal energies", "eps / k_B T", {{"", run.eps, thermal}}));
   }
@@ -138,12 +132,12 @@ Files files_of(std::filesystem::path const& directory) {
 }
 
 std::string lead_of(RunResult const& run, OutputUnits const& units) {
-  auto const* const method = run.scene.is_sdpd() ? "SDPD" : run.scene.has_energies() ? "DPDE" : "DPD";
+  auto const& method = sdpd::method_named(run.scene.method.name);
   return fmt::format(
       "{} {} particles{} with {:.1f} neighbours each, {} steps of {:.4g} reduced time units{} "
       "after {} steps of equilibration.",
-      run.scene.particles.N, method,
-      run.scene.is_sdpd() ? fmt::format(" of size K = {:g}", run.settings.K) : "", run.neighbours,
+      run.scene.particles.N, method.title,
+      method.features.densities ? fmt::format(" of size K = {:g}", run.settings.K()) : "", run.neighbours,
       run.scene.run.steps, run.settings.dt,
       run.scene.units == UnitSystem::SI ? fmt::format(" ({:.4g} s)", run.settings.dt * units.time) : "",
       run.scene.run.equilibrate);
@@ -152,9 +146,10 @@ std::string lead_of(RunResult const& run, OutputUnits const& units) {
 /// What the method of the run rests on.
 std::vector<std::string> sources_of(RunResult const& run) {
   std::vector<std::string> sources;
-  if (run.scene.is_sdpd())
+  bool const densities = run.scene.features().densities;
+  if (densities)
     sources = {"Espanol and Revenga 2003", "Faure et al. 2016"};
-  if (run.scene.is_sdpd() && run.scene.particles.kernel.starts_with("wendland"))
+  if (densities && run.scene.particles.kernel.starts_with("wendland"))
     sources.emplace_back("Dehnen and Aly 2012");
   if (run.scene.scheme.name == "ssa")
     sources.emplace_back("Shardlow 2003");
@@ -181,8 +176,7 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}},
                 .warnings = texts_of(run.findings),
                 .sources = sources_of(run)};
-  report.sections.push_back(
-      {"Results", {run.settings.pair_fluid ? pair_fluid_numbers(run, units) : numbers(run, units)}});
+  report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));
   if (auto const profiles = profile_plots(run_file, run); !profiles.empty())
     report.sections.push_back(

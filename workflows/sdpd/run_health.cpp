@@ -17,19 +17,18 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 } // namespace
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
-  if (!settings.pair_fluid) {
-    auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T);
-    return doubt ? std::vector{sdpd::Finding{"range", false, fmt::format("fluid.eos: {}", *doubt)}}
-                 : std::vector<sdpd::Finding>();
-  }
-  double const neighbours = neighbours_in_range(settings);
-  if (neighbours >= least_neighbours)
-    return {};
-  return {{"neighbours", false,
-           fmt::format(
-               "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
-               "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
-               neighbours, settings.rho)}};
+  std::vector<sdpd::Finding> doubts;
+  if (settings.features().densities)
+    if (auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T))
+      doubts.push_back({"range", false, fmt::format("fluid.eos: {}", *doubt)});
+  if (double const neighbours = neighbours_in_range(settings); neighbours < least_neighbours)
+    doubts.push_back(
+        {"neighbours", false,
+         fmt::format(
+             "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
+             "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
+             neighbours, settings.rho)});
+  return doubts;
 }
 
 std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, RunResult const& result,
@@ -42,9 +41,9 @@ std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, 
                     {.has_motion = settings.noise,
                      .keeps_energy = keeps_energy,
                      .was_equilibrated = result.scene.run.equilibrate > 0,
-                     .thermal_energy = keeps_energy ? simulation.heat_capacity() / settings.K : 0,
+                     .thermal_energy = keeps_energy ? simulation.heat_capacity() / settings.K() : 0,
                      .thermal_pressure = std::pow(settings.spacing(), -3),
-                     .tolerable_pairing = sdpd::tolerable_pairing(settings.K)});
+                     .tolerable_pairing = sdpd::tolerable_pairing(settings.K())});
   findings.insert(findings.end(), found.begin(), found.end());
   return findings;
 }

@@ -24,7 +24,7 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
       run_file_(open_run_file(RunFolder(folder).run_file(), units, settings.features(), provenance,
                               before.has_value())),
       profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
-                                                                  units, 1 / settings.K)
+                                                                  units, 1 / settings.K())
                                    : std::nullopt),
       histograms_(histogram_every_ > 0
                       ? std::optional<HistogramSeries>(std::in_place, run_file_.store(), scene, units)

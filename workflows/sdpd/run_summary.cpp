@@ -27,13 +27,14 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   json["n"] = simulation.size();
   json["method"] = scene.method.name;
   if (features.densities)
-    json["K"] = settings.K;
+    json["K"] = settings.K();
   json["dt_reduced"] = settings.dt;
   json["dt" + units.time_key] = settings.dt * units.time;
   json["steps"] = scene.run.steps;
   json["neighbours"] = result.neighbours;
-  json["density_scale"] = settings.density_correction.scale;
-  json["density_self"] = settings.density_correction.self;
+  auto const [density_scale, density_self] = density_correction_of(scene);
+  json["density_scale"] = density_scale;
+  json["density_self"] = density_self;
   if (!calibration.is_null())
     json["density_calibration"] = calibration;
   put(json, "T_kin" + units.temperature_key, in(e.T_kin, units.temperature));

@@ -2,7 +2,7 @@
 #include "fitting/model_file.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "workflows/processors.hpp"
-#include "workflows/sdpd/pair_fluid_of.hpp"
+#include "workflows/sdpd/method_of.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <numbers>
@@ -67,20 +67,11 @@ double neighbours_of(double h_factor) {
 
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   sdpd::SimulationSettings settings{
-      .eos = scene.is_sdpd() ? eos_of(scene) : fitting::IdealGas(1), // pair_fluid takes its place
+      .method = method_of(scene),
       .rho = scene.fluid.rho,
       .T = scene.fluid.T,
-      .K = scene.particles.K,
-      .centre_of_mass =
-          scene.fluid.centre_of_mass == "free" ? sdpd::CentreOfMass::free : sdpd::CentreOfMass::bulk,
       .lattice = lattice_of(scene.particles.N),
       .disorder = scene.particles.disorder,
-      .kernel = scene.particles.kernel,
-      .density_correction = density_correction_of(scene),
-      .h_factor = scene.particles.h_factor,
-      .eta = scene.transport.eta,
-      .zeta = scene.transport.zeta,
-      .kappa = scene.transport.kappa,
       .noise = scene.scheme.noise == "on",
       .dt = scene.scheme.dt.value,
       .scheme = scheme_of(scene),
@@ -88,8 +79,6 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .seed = static_cast<std::uint64_t>(scene.run.seed),
       .threads = threads,
   };
-  if (!scene.is_sdpd())
-    settings.pair_fluid = pair_fluid_of(scene), settings.K = 1;
   if (!scene.scheme.dt.reduced)
     settings.dt /= settings.units().time();
   return settings;

@@ -41,7 +41,7 @@ std::uint64_t settling_steps(SizeEffort const& effort, double K) {
 class ExpectedEnergy {
  public:
   ExpectedEnergy(sdpd::SimulationSettings const& settings, std::size_t particles)
-      : internal_(settings), kinetic_(1.5 * (1 - 1 / static_cast<double>(particles)) / settings.K) {}
+      : internal_(settings), kinetic_(1.5 * (1 - 1 / static_cast<double>(particles)) / settings.K()) {}
   void add(std::span<double const> rho) {
     for (double const one : rho)
       sum_ += internal_(one);
@@ -58,34 +58,31 @@ class ExpectedEnergy {
 } // namespace
 
 sdpd::SimulationSettings fluid(std::string const& kernel, double K, std::uint64_t seed) {
-  return {.eos = fitting::material("argon").eos,
+  return {.method = sdpd::Sdpd{.eos = fitting::material("argon").eos, .K = K, .kernel = kernel, .eta = 2e-3},
           .rho = state_rho,
           .T = state_T,
-          .K = K,
           .lattice = {side, side, side},
           .disorder = 0.15,
-          .kernel = kernel,
-          .eta = 2e-3,
           .dt = time_step(K),
           .scheme = {.pairs = scheme_of(K)},
           .seed = seed};
 }
 
 fitting::EosState eos_state(sdpd::SimulationSettings const& s) {
-  return std::visit([&](auto const& eos) { return fitting::state_from_temperature(eos, s.rho, s.T); }, s.eos);
+  return std::visit([&](auto const& eos) { return fitting::state_from_temperature(eos, s.rho, s.T); },
+                    s.as<sdpd::Sdpd>().eos);
 }
 
 FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment, SizeEffort const& effort) {
   sdpd::Simulation simulation(settings);
   auto const keep_going = [] { return !interrupt_requested(); };
-  sdpd::equilibrate(simulation, settling_steps(effort, settings.K), keep_going);
+  sdpd::equilibrate(simulation, settling_steps(effort, settings.K()), keep_going);
   auto const eos = eos_state(settings);
   auto const units = settings.units();
   constexpr std::uint64_t every = 3;
-  FluidRun result{.kernel = settings.kernel,
-                  .K = settings.K,
-                  .treatment = treatment,
-                  .constants = settings.density_correction};
+  auto const& fluid = settings.as<sdpd::Sdpd>();
+  FluidRun result{
+      .kernel = fluid.kernel, .K = fluid.K, .treatment = treatment, .constants = fluid.density_correction};
   std::vector<double> P, rho, T_kin, T_int;
   std::uint64_t const samples = effort.sample / every,
                       between = std::max<std::uint64_t>(1, samples / instants);

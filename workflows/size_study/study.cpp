@@ -30,7 +30,7 @@ SizeEffort effort_of(md::Preset preset) {
 /// stiffer.
 sdpd::SimulationSettings shocked(sdpd::SimulationSettings settings) {
   settings.rho *= shock_compression, settings.T *= shock_compression;
-  settings.h_factor *= std::cbrt(shock_compression);
+  settings.as<sdpd::Sdpd>().h_factor *= std::cbrt(shock_compression);
   settings.dt *= 0.5;
   return settings;
 }
@@ -105,7 +105,7 @@ class Study {
     result_.calibrations[c] = part(fmt::format("calibration-{}", c), [&] {
       auto const found = sdpd::calibrate_density(settings, sdpd::ScaleCondition::pressure, effort_.calibrate,
                                                  [] { return !interrupt_requested(); });
-      return SizeCalibration{settings.kernel, settings.K, found};
+      return SizeCalibration{settings.as<sdpd::Sdpd>().kernel, settings.K(), found};
     });
   }
 
@@ -114,10 +114,10 @@ class Study {
     Treatment const treatment = treatments[k % treatments.size()];
     auto settings = settings_of_case(c);
     settings.seed += 1; // another history than the calibration's
-    settings.centre_of_mass =
+    settings.as<sdpd::Sdpd>().centre_of_mass =
         treatment == Treatment::free ? sdpd::CentreOfMass::free : sdpd::CentreOfMass::bulk;
     if (treatment != Treatment::plain)
-      settings.density_correction = result_.calibrations[c].found.constants;
+      settings.as<sdpd::Sdpd>().density_correction = result_.calibrations[c].found.constants;
     result_.runs[k] = part(fmt::format("run-{}", k), [&] { return run_fluid(settings, treatment, effort_); });
   }
 
@@ -130,7 +130,7 @@ class Study {
         auto settings = fluid(calibration.kernel, K, seed_ + 2);
         if (in_shock)
           settings = shocked(settings);
-        settings.density_correction = calibration.found.constants;
+        settings.as<sdpd::Sdpd>().density_correction = calibration.found.constants;
         result_.elsewhere[place] = {fmt::format("{}: constants of K = {:g} at K = {:g}{}", calibration.kernel,
                                                 calibration.K, K, in_shock ? ", 1541 kg/m^3, 1340 K" : ""),
                                     part(fmt::format("elsewhere-{}", place),

@@ -3,22 +3,10 @@
 #include "workflows/scene/wish.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/target.hpp"
+#include "workflows/study/tries.hpp"
 
 namespace mesobridge::workflows {
 namespace {
-
-/// What is tried: reduced time steps, and the reduced time that each trial samples. Soft particles forget
-/// faster and want shorter steps.
-struct Tries {
-  std::vector<double> dt;
-  double time;
-};
-
-Tries tries_of(Scene const& scene) {
-  if (scene.is_sdpd())
-    return {{0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.4}, 200};
-  return {{0.01, 0.015, 0.02, 0.03, 0.04, 0.06}, 110};
-}
 
 Scene with_time_step(Scene scene, TimeStep const& dt) {
   scene.scheme.dt_chosen_for = wish_text(scene.scheme);

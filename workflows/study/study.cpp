@@ -4,6 +4,7 @@
 #include "workflows/job_pool.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/trial_file.hpp"
+#include "workflows/study/tries.hpp"
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -19,9 +20,8 @@ std::string start_key(Scene scene) {
   return resolved_toml(scene);
 }
 
-/// Soft particles want shorter time steps than those of a fluid.
 double start_dt(Scene const& scene, StudyOptions const& options) {
-  return scene.is_sdpd() ? options.start_dt : options.start_dt / 5;
+  return options.start_dt / tries_of(scene).shorter_start;
 }
 
 /// The common starts, each made once by the first job that needs it.
@@ -56,7 +56,7 @@ sdpd::TrialResult begin_and_run(Starts& starts, PlannedTrial const& planned,
   try {
     auto const& start = starts.of(scene, [&] { return keep_going(0); });
     return sdpd::run_trial(
-        engine_trial(scene, bins.value_or(cg::bins_around(start.particles.eps, settings_of(scene, 1).K))),
+        engine_trial(scene, bins.value_or(cg::bins_around(start.particles.eps, settings_of(scene, 1).K()))),
         start, keep_going);
   } catch (PhysicsError const& error) {
     return {.failure = fmt::format("no equilibrium to begin with: {}", error.what()),
@@ -122,8 +122,6 @@ namespace {
 /// Edge of the smallest box, in mean distances between particles: twice the range, and the skin of the lists
 /// on both sides.
 double narrowest_edge(Scene const& scene) {
-  if (scene.is_sdpd())
-    return 2 * scene.particles.h_factor + 1.5;
   auto const settings = settings_of(scene, 1);
   constexpr double widest_skins = 1.5; // in distances between particles
   return std::max((2 * settings.range() + 1) / settings.spacing(),

@@ -119,7 +119,7 @@ bool limit_by_drift(TradeOff const& found, Configuration const& of, double wante
 
 void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
   for (auto const member : {&Bias::T_kin, &Bias::T_int, &Bias::P}) {
-    if (member == &Bias::T_int && !found.scene.has_energies())
+    if (member == &Bias::T_int && !found.scene.features().energies)
       continue;
     std::vector<double> dt;
     std::vector<cg::Estimate> bias;
@@ -166,7 +166,7 @@ sdpd::TrialResult const& TradeOff::reference(double K) const {
 
 Bias TradeOff::bias(Configuration const& of, sdpd::TrialResult const& trial) const {
   auto const& exact = reference(of.K);
-  if (!scene.has_energies())
+  if (!scene.features().energies)
     return {.T_kin = relative(trial.T_kin, {1, 0, trial.T_kin.n_eff}), .P = relative(trial.P, exact.P)};
   Bias bias{.T_kin = relative(trial.T_kin, exact.T_kin),
             .T_int = relative(trial.T_int, exact.T_int),

@@ -67,12 +67,12 @@ Table trial_table(TradeOff const& found, double K) {
                  "bias P [%]", "bias var eps [%]", "eps error (4.18)", "its noise", "rejected [%]"},
       .rows = {},
       .caption =
-          found.scene.has_energies()
+          found.scene.features().energies
               ? "dt in reduced units. Bias: against the trial of the exact scheme with the shortest time "
                 "step; of the ideal gas's energies against their exact law."
               : "dt in reduced units. Bias: of T_kin against the set temperature, which the thermostat "
                 "keeps; of P against the trial with the shortest time step."};
-  bool const energies = found.scene.has_energies();
+  bool const energies = found.scene.features().energies;
   auto of_energies = [&](std::string text) { return energies ? std::move(text) : std::string("-"); };
   auto percent = [](cg::Estimate const& e) { return with_error_text({100 * e.mean, 100 * e.se, e.n_eff}); };
   for (auto const& of : found.configurations) {
@@ -128,7 +128,7 @@ Section size_section(TradeOff const& found, double K) {
   };
   std::string const cost_axis = fmt::format("processor time [us per particle and {}]", time);
   auto plots = [&]() -> std::vector<Plot> {
-    if (!found.scene.has_energies())
+    if (!found.scene.features().energies)
       return {over_trials(found, K, frame("bias" + tag, "Bias of T_kin", cost_axis, "|bias of T_kin|"), cost,
                           [&](Configuration const& of, sdpd::TrialResult const& trial) {
                             auto const bias = found.bias(of, trial).T_kin;
@@ -182,13 +182,13 @@ Report trade_off_report(TradeOff const& found, Target const& target) {
       .verdicts = {},
       .sections = {},
       .provenance = {}};
-  if (found.scene.scheme.name == "ssa" || found.scene.is_sdpd())
+  if (found.scene.scheme.name == "ssa" || found.scene.features().densities)
     report.sources = {"Faure 2017", "Shardlow 2003"};
   if (wished)
     report.sections.push_back(recommendation_section(found, target));
   for (double const K : sizes(found))
     report.sections.push_back(size_section(found, K));
-  if (!found.scene.has_energies())
+  if (!found.scene.features().energies)
     return report;
   report.sections.push_back(
       {"How the drift is measured",

@@ -17,7 +17,7 @@ Json trial_json(TradeOff const& found, Configuration const& of, sdpd::TrialResul
   json["us_per_particle_step"] = trial.us_per_particle_step;
   json["us_per_particle" + std::string(units.si ? "_ps" : "_time")] =
       trial.us_per_particle_step / (dt * units.ps);
-  bool const energies = found.scene.has_energies();
+  bool const energies = found.scene.features().energies;
   if (energies) {
     put(json, "energy_drift" + per, estimate(trial.drift(), units.ps));
     put(json, "energy_drift_of_mean" + per, estimate(trial.drift_of_mean, units.ps));

@@ -15,7 +15,7 @@ TEST(CanonicalEnergy, OfTheIdealGasIsThatOfTheGammaLaw) {
   for (double const K : {2.0, 5.0, 100.0, 25000.0})
     for (bool const free : {true, false}) {
       auto settings = ideal_gas(K, 0.1);
-      settings.centre_of_mass = free ? CentreOfMass::free : CentreOfMass::bulk;
+      settings.as<Sdpd>().centre_of_mass = free ? CentreOfMass::free : CentreOfMass::bulk;
       CanonicalEnergy const energy(settings);
       double const C = 1.5 * (free ? K - 1 : K);
       EXPECT_NEAR(K * energy(1) / C, 1, 1e-7) << K;
@@ -30,7 +30,7 @@ TEST(CanonicalEnergy, OfTheIdealGasIsThatOfTheGammaLaw) {
 TEST(CanonicalEnergy, IsThatOfSmallParticles) {
   auto settings = argon(5, 0.03);
   settings.lattice = {8, 8, 8}, settings.disorder = 0.15;
-  settings.density_correction = {.scale = 0.9985, .self = 0.1};
+  settings.as<Sdpd>().density_correction = {.scale = 0.9985, .self = 0.1};
   Simulation simulation(settings);
   equilibrate(simulation, 320, [] { return true; });
   CanonicalEnergy const internal(settings);
@@ -41,10 +41,10 @@ TEST(CanonicalEnergy, IsThatOfSmallParticles) {
     double sum = 0;
     for (double const rho : simulation.snapshot().rho)
       sum += internal(rho);
-    expected.push_back(1.5 * (count - 1) / settings.K + sum);
+    expected.push_back(1.5 * (count - 1) / settings.K() + sum);
     auto const now = simulation.observe();
     // at constant energy both temperatures scatter about the set one; with their heat capacities taken out
-    double const kinetic = 1.5 * (count - 1) / settings.K, all = simulation.heat_capacity() / settings.K;
+    double const kinetic = 1.5 * (count - 1) / settings.K(), all = simulation.heat_capacity() / settings.K();
     found.push_back(now.energy() - kinetic * (now.T_kin - 1) - (all - kinetic) * (now.T_int - 1));
   }
   auto const ours = cg::estimate_mean(found), measure = cg::estimate_mean(expected);
@@ -52,7 +52,7 @@ TEST(CanonicalEnergy, IsThatOfSmallParticles) {
   EXPECT_NEAR(ours.mean / measure.mean, 1, 1e-3);
   auto const eos = std::visit(
       [&](auto const& model) { return fitting::state_from_temperature(model, settings.rho, settings.T); },
-      settings.eos);
+      settings.as<Sdpd>().eos);
   EXPECT_LT(ours.mean * settings.units().specific_energy() / eos.e / count, 0.996);
   RecordProperty("ratio", std::to_string(ours.mean / measure.mean));
 }

@@ -213,9 +213,9 @@ TEST_P(ConductionOfSmallParticles, LeavesTheEquilibriumOfTheWholeDynamicsAlone) 
       T_kin.push_back(now.T_kin), T_int.push_back(now.T_int);
     }
     for (double const eps : simulation.snapshot().eps)
-      energies.push_back(eps * settings.K);
+      energies.push_back(eps * settings.K());
   }
-  double const shape = 1.5 * (settings.K - 1);
+  double const shape = 1.5 * (settings.K() - 1);
   ASSERT_EQ(energies.size(), 15000u);
   EXPECT_GT(cg::kolmogorov_smirnov_p(energies, [&](double x) { return gsl_cdf_gamma_P(x, shape, 1); }), 1e-3);
   EXPECT_LT(cg::kolmogorov_smirnov_p(energies, [&](double x) { return gsl_cdf_gamma_P(x, shape + 1.5, 1); }),

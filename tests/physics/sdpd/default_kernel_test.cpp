@@ -17,7 +17,7 @@ namespace {
 
 SimulationSettings argon_by_default(double K, double dt, std::uint32_t side) {
   auto settings = argon(K, dt);
-  settings.kernel = SimulationSettings{}.kernel;
+  settings.as<Sdpd>().kernel = Sdpd{.eos = fitting::IdealGas(1)}.kernel;
   settings.lattice = {side, side, side};
   settings.disorder = 0.15;
   return settings;
@@ -40,7 +40,7 @@ Means measure(SimulationSettings const& settings, std::uint64_t settle, std::uin
   equilibrate(simulation, settle, [] { return true; });
   double const P_eos = std::visit(
       [&](auto const& model) { return fitting::state_from_temperature(model, settings.rho, settings.T).P; },
-      settings.eos);
+      settings.as<Sdpd>().eos);
   std::vector<double> P, rho, pairing;
   for (std::uint64_t k = 0; k < steps; k += 5) {
     simulation.advance(5);
@@ -59,7 +59,7 @@ void expect_a_good_fluid(double K, double dt, std::uint32_t side, std::uint64_t 
   auto settings = argon_by_default(K, dt, side);
   auto const never = [] { return true; };
   ASSERT_EQ(suitable_condition(settings), ScaleCondition::pressure);
-  settings.density_correction =
+  settings.as<Sdpd>().density_correction =
       calibrate_density(settings, ScaleCondition::pressure, calibration, never).constants;
   settings.seed = 7; // another history than the calibration's
   auto const [P, rho, first, last] = measure(settings, settle, steps);
@@ -85,7 +85,7 @@ TEST(DefaultKernel, GivesPressureAndDensityOfTheEquationOfStateWithoutPairs) {
 
 TEST(DefaultKernel, IsNotTheCubicOneWhichPairs) {
   auto settings = argon_by_default(1000, 0.1, 7);
-  settings.kernel = "cubic";
+  settings.as<Sdpd>().kernel = "cubic";
   EXPECT_GT(measure(settings, 200, 1000).pairing_last, tolerable_pairing(1000));
 }
 
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Long_Sizes, Long_DefaultKernelOfSize, ::testing::Values
 
 TEST(Long_DefaultKernel, IsNeededBecauseTheCubicOneGoesOnPairing) {
   auto settings = argon_by_default(1000, 0.03, 10);
-  settings.kernel = "cubic";
+  settings.as<Sdpd>().kernel = "cubic";
   auto const means = measure(settings, 2000, 30000);
   EXPECT_GT(means.pairing_last, means.pairing_first + 0.05);
   EXPECT_GT(means.pairing_last, 0.2);

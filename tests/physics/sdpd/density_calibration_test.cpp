@@ -20,7 +20,7 @@ Means measure(SimulationSettings const& settings, std::uint64_t settle, std::uin
   equilibrate(simulation, settle, [] { return true; });
   auto const eos = std::visit(
       [&](auto const& model) { return fitting::state_from_temperature(model, settings.rho, settings.T); },
-      settings.eos);
+      settings.as<Sdpd>().eos);
   std::vector<double> P, rho, T;
   for (std::uint64_t k = 0; k < steps; k += 3) {
     simulation.advance(3);
@@ -40,7 +40,7 @@ struct Case {
 
 SimulationSettings small_box(Case const& c) {
   auto settings = argon(c.K, c.dt);
-  settings.kernel = c.kernel;
+  settings.as<Sdpd>().kernel = c.kernel;
   settings.lattice = {8, 8, 8};
   settings.disorder = 0.15;
   return settings;
@@ -52,7 +52,7 @@ void expect_the_equation_of_state(Case const& c, std::uint64_t calibration, std:
   auto settings = small_box(c);
   auto const found = calibrate_density(settings, ScaleCondition::pressure, calibration, [] { return true; });
   EXPECT_LT(found.scale_se, 0.003);
-  settings.density_correction = found.constants;
+  settings.as<Sdpd>().density_correction = found.constants;
   settings.seed = 77; // another history than the calibration's
   auto const means = measure(settings, settle, steps);
   EXPECT_NEAR(means.P.mean, 1, 0.01);
@@ -73,7 +73,7 @@ TEST(DensityCalibration, MakesPressureAndDensityThoseOfTheEquationOfState) {
   // What it is for: without constants the mean density is off, and with the bulk's equation of state the
   // energy, too.
   auto plain = small_box(cases[0]);
-  plain.centre_of_mass = CentreOfMass::bulk;
+  plain.as<Sdpd>().centre_of_mass = CentreOfMass::bulk;
   auto const means = measure(plain, 100, 300);
   EXPECT_GT(means.rho.mean, 1.015);
   EXPECT_GT(means.P.mean, 1.03);
@@ -85,7 +85,8 @@ TEST(DensityCalibration, ByTheResponseServesALowPressure) {
   auto settings = small_box({50, 0.03, "cubic"});
   settings.T = 180;
   auto never = [] { return true; };
-  settings.density_correction = calibrate_density(settings, ScaleCondition::response, 800, never).constants;
+  settings.as<Sdpd>().density_correction =
+      calibrate_density(settings, ScaleCondition::response, 800, never).constants;
   settings.seed = 5;
   Simulation simulation(settings);
   equilibrate(simulation, 200, never);
@@ -114,12 +115,12 @@ TEST(GlassCorrection, IsThatOfAGlass) {
                                           {"lucy", 3.5e-3}}) {
     SCOPED_TRACE(kernel);
     auto settings = small_box({1e6, 0.1, kernel});
-    double const h = settings.h_factor;
-    settings.density_correction = glass_correction(kernel, 4 * std::numbers::pi / 3 * h * h * h);
+    double const h = settings.as<Sdpd>().h_factor;
+    settings.as<Sdpd>().density_correction = glass_correction(kernel, 4 * std::numbers::pi / 3 * h * h * h);
     Simulation simulation(settings);
     equilibrate(simulation, 300, [] { return true; });
     EXPECT_NEAR(simulation.observe().rho, 1, tolerance);
-    settings.density_correction = {};
+    settings.as<Sdpd>().density_correction = {};
     Simulation plain(settings);
     plain.advance(300);
     EXPECT_GT(std::abs(plain.observe().rho - 1), 2e-3);
@@ -131,11 +132,11 @@ TEST(GlassCorrection, IsThatOfAGlass) {
 // The response is the derivative of the mean density with respect to ln(1/V) at scaled positions.
 TEST(CompressionResponse, IsTheDerivativeOfTheMeanDensity) {
   auto settings = small_box({50, 0.05, "wendland-c4"});
-  settings.density_correction = {.scale = 1.02, .self = 0.1};
+  settings.as<Sdpd>().density_correction = {.scale = 1.02, .self = 0.1};
   Simulation simulation(settings);
   simulation.advance(50);
   auto const now = simulation.snapshot();
-  auto const kernel = make_kernel(settings.kernel, settings.h_factor, 1.02);
+  auto const kernel = make_kernel(settings.as<Sdpd>().kernel, settings.as<Sdpd>().h_factor, 1.02);
   auto mean_density = [&](double stretch) {
     double sum = 0;
     for (std::size_t i = 0; i < now.q.size(); ++i)

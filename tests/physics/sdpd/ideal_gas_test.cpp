@@ -26,7 +26,7 @@ Series run(SimulationSettings const& settings, std::uint64_t equilibrate_for, in
       series.T_kin.push_back(now.T_kin), series.T_int.push_back(now.T_int), series.P.push_back(now.P);
     }
     for (double const eps : simulation.snapshot().eps)
-      series.energies.push_back(eps * settings.K); // reduced energies count in K k_B T
+      series.energies.push_back(eps * settings.K()); // reduced energies count in K k_B T
   }
   return series;
 }
@@ -38,11 +38,11 @@ class IdealGas : public ::testing::TestWithParam<SimulationSettings> {};
 TEST_P(IdealGas, HasTheGammaLawAndTheSetTemperatures) {
   auto const settings = GetParam();
   auto const series = run(settings, 800, 12, 100);
-  double const shape = 1.5 * (settings.K - 1);
+  double const shape = 1.5 * (settings.K() - 1);
   auto gamma_law = [](double a) { return [a](double x) { return gsl_cdf_gamma_P(x, a, 1); }; };
   ASSERT_EQ(series.energies.size(), 12000u);
   EXPECT_GT(cg::kolmogorov_smirnov_p(series.energies, gamma_law(shape)), 1e-3);
-  EXPECT_LT(cg::kolmogorov_smirnov_p(series.energies, gamma_law(1.5 * settings.K)),
+  EXPECT_LT(cg::kolmogorov_smirnov_p(series.energies, gamma_law(1.5 * settings.K())),
             1e-3); // K instead of K-1 fails
 
   for (auto const* T : {&series.T_kin, &series.T_int}) {
@@ -54,7 +54,7 @@ TEST_P(IdealGas, HasTheGammaLawAndTheSetTemperatures) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, IdealGas, ::testing::Values(ideal_gas(10, 0.04), ideal_gas(100, 0.1)),
-                         [](auto const& info) { return "K" + std::to_string(int(info.param.K)); });
+                         [](auto const& info) { return "K" + std::to_string(int(info.param.K())); });
 
 } // namespace
 } // namespace mesobridge::sdpd

@@ -17,7 +17,7 @@ class ShearWave {
   ShearWave(SimulationSettings settings, double U, std::uint64_t equilibrate_for = 0)
       : scheme_(settings.scheme) {
     settings.lattice = {6, 6, 24};
-    eta_ = settings.eta / settings.units().viscosity();
+    eta_ = settings.as<Sdpd>().eta / settings.units().viscosity();
     dt_ = settings.dt;
     system_ = make_system(settings);
     advance(equilibrate_for);

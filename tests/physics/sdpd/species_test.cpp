@@ -78,8 +78,9 @@ TEST(SpeciesInEquilibrium, OfTwoMassesAndHeatCapacitiesInDpdeHaveTheExactLaws) {
   settings.lattice = {10, 10, 10};
   settings.scheme.pairs = PairScheme::ems;
   settings.rho = 3 * 2.6; // as many particles as in the standard fluid of the mass 1
-  settings.pair_fluid->species = {{"light", 0.6, 1, fitting::ConstantHeatCapacity(8)},
-                                  {"heavy", 0.4, 5, fitting::ConstantHeatCapacity(30)}};
+  DpdeSpecies const light{"light", 0.6, 1, fitting::ConstantHeatCapacity(8)},
+      heavy{"heavy", 0.4, 5, fitting::ConstantHeatCapacity(30)};
+  settings.as<Dpde>().species = {light, heavy};
   auto const sampled = sample(settings, 2, 60, 40, {8 + 1, 30 + 1});
   ASSERT_EQ(sampled[0].energies.size(), 60u * 600);
   expect_maxwell(sampled);
@@ -92,7 +93,8 @@ TEST(SpeciesInEquilibrium, OfTwoMassesAndHeatCapacitiesInDpdeHaveTheExactLaws) {
 TEST(SpeciesInEquilibrium, OfTwoSizesInSdpdHaveTheExactLaws) {
   auto settings = ideal_gas(10, 0.5);
   settings.scheme.pairs = PairScheme::ems;
-  settings.species = {{"small", 0.6, 10, settings.eos}, {"large", 0.4, 40, settings.eos}};
+  auto& fluid = settings.as<Sdpd>();
+  fluid.species = {{"small", 0.6, 10, fluid.eos}, {"large", 0.4, 40, fluid.eos}};
   auto const sampled = sample(settings, 2, 100, 20);
   ASSERT_EQ(sampled[1].energies.size(), 100u * 400);
   expect_maxwell(sampled);
@@ -102,9 +104,9 @@ TEST(SpeciesInEquilibrium, OfTwoSizesInSdpdHaveTheExactLaws) {
 
 TEST(SpeciesInEquilibrium, OfTwoMassesInDpdHaveMaxwellsLaw) {
   auto settings = dpd_fluid(1);
-  settings.pair_fluid->friction = PowerFriction(4.5, 3, 1, 2);
+  settings.as<Dpd>().friction = PowerFriction(4.5, 3, 1, 2);
   settings.rho = 3 * 4.25;
-  settings.pair_fluid->species = {{"light", 0.5, 0.5, {}}, {"heavy", 0.5, 8, {}}};
+  settings.as<Dpd>().species = {{"light", 0.5, 0.5}, {"heavy", 0.5, 8}};
   expect_maxwell(sample(settings, 2, 100, 30));
 }
 

@@ -20,7 +20,7 @@ struct Case {
 };
 
 SimulationSettings of_variable_heat_capacity(SimulationSettings settings) {
-  settings.pair_fluid->internal_energy =
+  settings.as<Dpde>().internal_energy =
       fitting::TabulatedHeatCapacity({0.1, 0.5, 1, 2, 10}, {8, 10, 14, 16, 17}, 0.5);
   return settings;
 }
@@ -54,7 +54,7 @@ System uneven(SimulationSettings const& settings) {
 TEST_P(ConductionInLanes, IsThatOfOnePairAfterTheOther) {
   int compared = 0;
   for (auto const scheme : {PairScheme::ssa, PairScheme::ams, PairScheme::ems}) {
-    if (scheme == PairScheme::ssa && GetParam().settings.K < 50 && GetParam().name[0] != 'd')
+    if (scheme == PairScheme::ssa && GetParam().settings.K() < 50 && GetParam().name[0] != 'd')
       continue; // leads some energies of such small particles below zero, as it must
     auto fast = uneven(GetParam().settings), plain = uneven(GetParam().settings);
     auto const before = fast.particles.eps;
@@ -72,7 +72,7 @@ TEST_P(ConductionInLanes, IsThatOfOnePairAfterTheOther) {
     EXPECT_EQ(fast.conduction_counts.proposed, plain.conduction_counts.proposed);
     EXPECT_EQ(fast.conduction_counts.metropolis, plain.conduction_counts.metropolis);
     EXPECT_EQ(fast.conduction_counts.out_of_domain, plain.conduction_counts.out_of_domain);
-    bool const hardly_refused = GetParam().settings.K >= 1000;
+    bool const hardly_refused = GetParam().settings.K() >= 1000;
     EXPECT_EQ(fast.conduction_counts.metropolis > 0, scheme == PairScheme::ems && !hardly_refused);
     ++compared;
   }

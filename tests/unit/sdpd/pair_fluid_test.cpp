@@ -28,12 +28,13 @@ SimulationSettings with_scheme(SimulationSettings s, Scheme scheme) {
 }
 
 SimulationSettings with_table(SimulationSettings s) {
-  s.pair_fluid->friction = TabulatedFriction({0.1, 0.3, 0.6, 0.9, 1.0}, {6, 5, 2, 0.5, 0}, {3, 3, 1, 0, 0});
+  TabulatedFriction const table({0.1, 0.3, 0.6, 0.9, 1.0}, {6, 5, 2, 0.5, 0}, {3, 3, 1, 0, 0});
+  (s.features().energies ? s.as<Dpde>().friction : s.as<Dpd>().friction) = table;
   return s;
 }
 
 SimulationSettings with_heat_capacity_table(SimulationSettings s) {
-  s.pair_fluid->internal_energy =
+  s.as<Dpde>().internal_energy =
       fitting::TabulatedHeatCapacity({0.1, 0.5, 1, 2, 10}, {8, 10, 14, 16, 17}, 0.5);
   return s;
 }
@@ -112,7 +113,7 @@ TEST_P(EveryPairFluid, HasNoArraysThatItDoesNotNeed) {
   auto const system = make_system(GetParam().settings);
   auto const& p = system->particles;
   EXPECT_TRUE(p.rho.empty() && p.S.empty() && p.P.empty());
-  bool const energies = GetParam().settings.pair_fluid->follows_energy();
+  bool const energies = GetParam().settings.features().energies;
   EXPECT_EQ(p.eps.size(), energies ? system->size() : 0);
   EXPECT_EQ(p.T.size(), p.eps.size());
   EXPECT_EQ(p.caloric.size(), p.eps.size());
@@ -267,8 +268,8 @@ TEST(PairFluid, RefusesWhatMakesNoSense) {
     EXPECT_THROW(check(s), InputError);
   };
   EXPECT_NO_THROW(check(dpd_fluid()));
-  refused([](auto& s) { s.pair_fluid->mass = -1; });
-  refused([](auto& s) { s.pair_fluid->mass = std::nan(""); });
+  refused([](SimulationSettings& s) { s.as<Dpd>().mass = -1; });
+  refused([](SimulationSettings& s) { s.as<Dpd>().mass = std::nan(""); });
   refused([](auto& s) { s.scheme.pairs = PairScheme::ems; });
   refused([](auto& s) { s.scheme.keep_energy = true; });
   refused([](auto& s) { s.scheme.pairs = PairScheme::ser_implicit; });

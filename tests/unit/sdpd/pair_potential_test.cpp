@@ -227,8 +227,8 @@ class PotentialInABox : public ::testing::TestWithParam<Case> {};
 TEST_P(PotentialInABox, GivesWhatADirectDoubleLoopGives) {
   auto settings = dpd_fluid();
   settings.rho = 0.8, settings.lattice = {8, 8, 7}, settings.disorder = 0.05;
-  settings.pair_fluid->potential = GetParam().potential;
-  settings.pair_fluid->friction = PowerFriction(4.5, 0, 1, 2);
+  settings.as<Dpd>().potential = GetParam().potential;
+  settings.as<Dpd>().friction = PowerFriction(4.5, 0, 1, 2);
   auto const system = make_system(settings);
   auto const& particles = system->particles;
   std::size_t const n = particles.size();
@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(Potentials, PotentialInABox,
 TEST(PairForces, RefuseAPairInsideTheMaximumOfExp6) {
   auto settings = dpd_fluid();
   settings.rho = 0.5, settings.lattice = {8, 8, 8};
-  settings.pair_fluid->potential = Exp6(1, 1.12, 14, 2.5);
+  settings.as<Dpd>().potential = Exp6(1, 1.12, 14, 2.5);
   auto const system = make_system(settings);
   system->particles.q[0] = system->particles.q[1] + Vec3{0.05, 0, 0};
   try {

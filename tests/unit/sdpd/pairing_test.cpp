@@ -34,12 +34,13 @@ TEST(Pairing, IsThatOfADirectCountAtEveryDisorder) {
 }
 
 TEST(Pairing, CountsTheDistanceInMeanSpacings) {
-  SimulationSettings settings{.rho = 24, .T = 1, .K = 1, .lattice = {9, 9, 9}, .disorder = 0.3, .dt = 0.01};
-  settings.pair_fluid = PairFluid{.mass = 1,
-                                  .potential = SoftPotential(1, 1),
-                                  .friction = PowerFriction(1, 0, 1, 2),
-                                  .internal_energy = {}};
-  Simulation const simulation(settings);
+  Simulation const simulation(
+      {.method = Dpd{{.mass = 1, .potential = SoftPotential(1, 1), .friction = PowerFriction(1, 0, 1, 2)}},
+       .rho = 24,
+       .T = 1,
+       .lattice = {9, 9, 9},
+       .disorder = 0.3,
+       .dt = 0.01});
   double const spacing = std::cbrt(1.0 / 24);
   EXPECT_DOUBLE_EQ(simulation.pairing_fraction(),
                    by_all_pairs(simulation.snapshot(), simulation.box(), 0.35 * spacing));
@@ -52,7 +53,7 @@ TEST(Pairing, GrowsWithTheCubicKernelAndNotWithWendlands) {
   int cases = 0;
   for (auto const& [kernel, least, most] : {std::tuple("cubic", 0.05, 1.0), {"wendland-c4", 0.0, 0.005}}) {
     auto settings = argon(1000, 0.1);
-    settings.kernel = kernel;
+    settings.as<Sdpd>().kernel = kernel;
     settings.lattice = {7, 7, 7};
     settings.disorder = 0.15;
     Simulation simulation(settings);

@@ -80,7 +80,7 @@ TEST(PreparePairs, GivesSomeWeightBesideTheRange) {
   int looked_at = 0, least = 0;
   for (char const* kernel : {"cubic", "lucy", "wendland-c2", "wendland-c4", "wendland-c6"}) {
     auto settings = ideal_gas(100, 0.01);
-    settings.kernel = kernel;
+    settings.as<Sdpd>().kernel = kernel;
     auto const system = make_system(settings);
     auto& q = system->particles.q;
     double const range = system->neighbours.range();

@@ -72,12 +72,12 @@ TEST_P(EveryFluid, ConservesMomentumToRoundOff) {
 }
 
 SimulationSettings with_kernel(SimulationSettings s, std::string const& kernel) {
-  s.kernel = kernel;
+  s.as<Sdpd>().kernel = kernel;
   return s;
 }
 
 SimulationSettings corrected(SimulationSettings s, DensityCorrection correction) {
-  s.density_correction = correction;
+  s.as<Sdpd>().density_correction = correction;
   return s;
 }
 
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
 System lj_system(double K, std::string const& kernel = "cubic", DensityCorrection correction = {}) {
   auto settings = corrected(with_kernel(argon(K, 0.03), kernel), correction);
   settings.lattice = {7, 7, 7};
-  settings.zeta = 0.5e-3;
+  settings.as<Sdpd>().zeta = 0.5e-3;
   settings.seed = 4;
   auto system = std::move(*make_system(settings));
   for (int k = 0; k < 50; ++k)
@@ -355,18 +355,19 @@ TEST(Simulation, RefusesBadInputByName) {
     return std::string("accepted");
   };
   using S = SimulationSettings;
-  EXPECT_NE(message([](S& s) { s.K = 0.5; }).find("particle size K = 0.5"), std::string::npos);
-  EXPECT_NE(message([](S& s) { s.K = 1; }).find("heat capacity 0 k_B"), std::string::npos);
-  EXPECT_NE(message([](S& s) { s.K = 1.3; }).find("is too small"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.as<Sdpd>().K = 0.5; }).find("particle size K = 0.5"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.as<Sdpd>().K = 1; }).find("heat capacity 0 k_B"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.as<Sdpd>().K = 1.3; }).find("is too small"), std::string::npos);
   EXPECT_NE(message([](S& s) {
-              s.K = 1, s.eos = fitting::material("argon").eos;
+              s.as<Sdpd>().K = 1, s.as<Sdpd>().eos = fitting::material("argon").eos;
             }).find("heat capacity 0.232 k_B at rho and T without its centre of mass"),
             std::string::npos);
-  EXPECT_EQ(message([](S& s) { s.K = 1, s.centre_of_mass = CentreOfMass::bulk; }), "accepted");
+  EXPECT_EQ(message([](S& s) { s.as<Sdpd>().K = 1, s.as<Sdpd>().centre_of_mass = CentreOfMass::bulk; }),
+            "accepted");
   EXPECT_NE(message([](S& s) { s.rho = -1; }).find("density rho = -1"), std::string::npos);
   EXPECT_NE(message([](S& s) { s.T = std::nan(""); }).find("temperature T = nan"), std::string::npos);
   EXPECT_NE(message([](S& s) { s.dt = 0; }).find("time step dt = 0"), std::string::npos);
-  EXPECT_NE(message([](S& s) { s.zeta = 1; }).find("bulk viscosity zeta"), std::string::npos);
+  EXPECT_NE(message([](S& s) { s.as<Sdpd>().zeta = 1; }).find("bulk viscosity zeta"), std::string::npos);
   EXPECT_NE(message([](S& s) { s.lattice = {4, 10, 10}; }).find("box edge = 4"), std::string::npos);
 }
 

@@ -17,8 +17,21 @@ namespace mesobridge::sdpd {
 namespace {
 
 SdpdSpecies sdpd_species(SimulationSettings const& s, double share, double K) {
-  return {"of " + std::to_string(K), share, K, s.eos};
+  return {"of " + std::to_string(K), share, K, s.as<Sdpd>().eos};
 }
+
+DpdSpecies pair_species(Dpd const&, std::string const& name, double share, double mass) {
+  return {name, share, mass};
+}
+
+DpdeSpecies pair_species(Dpde const& of, std::string const& name, double share, double mass) {
+  return {name, share, mass, of.internal_energy};
+}
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
 
 /// Every scheme with every fluid that it serves, also with conduction.
 struct Case {
@@ -36,7 +49,7 @@ std::vector<Case> cases() {
         {"dpde", conducting_dpde},
         {"dpd", dpd_fluid()}})
     for (auto const& scheme : pair_schemes()) {
-      bool const is_sdpd = !settings.pair_fluid, has_energies = settings.features().energies;
+      bool const is_sdpd = settings.features().densities, has_energies = settings.features().energies;
       bool const tests_energies = scheme.scheme != PairScheme::ssa && scheme.scheme != PairScheme::ser &&
                                   scheme.scheme != PairScheme::hybrid;
       if ((scheme.scheme == PairScheme::entropy && !is_sdpd) || (tests_energies && !has_energies))
@@ -56,24 +69,30 @@ std::vector<Case> cases() {
 /// The same fluid as one species of the mass 64 in units of the mass 1, which a power of two keeps exact.
 SimulationSettings in_smaller_units(SimulationSettings s) {
   constexpr double mass = 64;
-  double const length = s.pair_fluid ? 1 : std::cbrt(mass), time = s.pair_fluid ? std::sqrt(mass) : length;
+  bool const is_sdpd = s.features().densities;
+  double const length = is_sdpd ? std::cbrt(mass) : 1, time = is_sdpd ? length : std::sqrt(mass);
   s.skin = skin_of(s) * length, s.dt *= time;
-  if (s.pair_fluid) {
-    s.pair_fluid->mass /= mass;
-    s.pair_fluid->species = {{"heavy", 1, mass * s.pair_fluid->mass, s.pair_fluid->internal_energy}};
-  } else {
-    s.K /= mass;
-    s.species = {sdpd_species(s, 1, mass * s.K)};
-  }
+  std::visit(Overloaded{[&](Sdpd& of) {
+                          of.K /= mass;
+                          of.species = {sdpd_species(s, 1, mass * of.K)};
+                        },
+                        [](auto& of) {
+                          of.species = {pair_species(of, "heavy", 1, of.mass)};
+                          of.mass /= mass;
+                        }},
+             s.method);
   return s;
 }
 
 SimulationSettings with_twins(SimulationSettings s) {
-  if (s.pair_fluid)
-    for (auto const* name : {"this", "that"})
-      s.pair_fluid->species.push_back({name, 0.5, s.pair_fluid->mass, s.pair_fluid->internal_energy});
-  else
-    s.species = {sdpd_species(s, 0.5, s.K), sdpd_species(s, 0.5, s.K)};
+  std::visit(Overloaded{[&](Sdpd& of) {
+                          of.species = {sdpd_species(s, 0.5, of.K), sdpd_species(s, 0.5, of.K)};
+                        },
+                        [](auto& of) {
+                          for (auto const* name : {"this", "that"})
+                            of.species.push_back(pair_species(of, name, 0.5, of.mass));
+                        }},
+             s.method);
   return s;
 }
 
@@ -120,15 +139,16 @@ TEST_P(EverySpeciesCase, IsTheSameFluidWhenEverySecondParticleIsOfATwinSpecies) 
 }
 
 SimulationSettings mixture(SimulationSettings s) {
-  if (s.pair_fluid) {
-    auto heavy = s.pair_fluid->internal_energy;
-    if (heavy)
-      heavy = fitting::ConstantHeatCapacity(100);
-    s.pair_fluid->species = {{"light", 0.7, 1, s.pair_fluid->internal_energy}, {"heavy", 0.3, 3, heavy}};
-    s.rho *= 1.6; // as many particles as of the mass 1
-  } else {
-    s.species = {sdpd_species(s, 0.7, s.K), sdpd_species(s, 0.3, 3 * s.K)};
-  }
+  std::visit(Overloaded{[&](Sdpd& of) {
+                          of.species = {sdpd_species(s, 0.7, of.K), sdpd_species(s, 0.3, 3 * of.K)};
+                        },
+                        [&](auto& of) {
+                          of.species = {pair_species(of, "light", 0.7, 1), pair_species(of, "heavy", 0.3, 3)};
+                          if constexpr (requires { of.internal_energy; })
+                            of.species[1].internal_energy = fitting::ConstantHeatCapacity(100);
+                          s.rho *= 1.6; // as many particles as of the mass 1
+                        }},
+             s.method);
   return s;
 }
 
@@ -174,7 +194,8 @@ TEST_P(EverySpeciesCase, AsAMixtureGoesOnBitForBitFromACheckpoint) {
 // Densities, forces and friction of unlike masses, against sums over all pairs in double precision.
 TEST(Species, HaveTheDensitiesForcesAndFrictionOfADirectSum) {
   auto settings = mixture(ideal_gas(20, 1e-5));
-  settings.lattice = {7, 7, 7}, settings.disorder = 0.2, settings.noise = false, settings.zeta = 0.5e-3;
+  settings.lattice = {7, 7, 7}, settings.disorder = 0.2, settings.noise = false;
+  settings.as<Sdpd>().zeta = 0.5e-3;
   settings.scheme.conservative = Conservative::none;
   auto const system = make_system(settings);
   auto& particles = system->particles;
@@ -182,8 +203,9 @@ TEST(Species, HaveTheDensitiesForcesAndFrictionOfADirectSum) {
     particles.p[i] = particles.mass[i] * Vec3{std::sin(particles.q[i].y), 0.3 * particles.q[i].x, 0.1};
   auto const before = particles;
   auto const& kernel = std::get<CubicKernel>(system->kernel);
-  double const eta = settings.eta / settings.units().viscosity(),
-               zeta = settings.zeta / settings.units().viscosity();
+  auto const& fluid = settings.as<Sdpd>();
+  double const eta = fluid.eta / settings.units().viscosity(),
+               zeta = fluid.zeta / settings.units().viscosity();
   std::vector<double> rho(system->size());
   std::vector<Vec3> f(system->size()), friction(system->size());
   auto for_each_pair = [&](auto const& act) {
@@ -263,7 +285,7 @@ std::string error_of(SimulationSettings const& settings) {
 TEST(Species, ThatAreNotAllowedAreRefusedByName) {
   auto with = [](auto change) {
     auto settings = mixture(ideal_gas(20, 0.02));
-    change(settings.species);
+    change(settings.as<Sdpd>().species);
     return error_of(settings);
   };
   EXPECT_EQ(with([](auto&) {}), "");
@@ -274,10 +296,10 @@ TEST(Species, ThatAreNotAllowedAreRefusedByName) {
   EXPECT_NE(with([](auto& s) { s[0].K = 0.5; }).find("particle size K = 0.5"), std::string::npos);
   auto dpd = mixture(dpd_fluid());
   EXPECT_EQ(error_of(dpd), "");
-  dpd.pair_fluid->species[0].internal_energy = fitting::ConstantHeatCapacity(10);
-  EXPECT_NE(error_of(dpd).find("species 'light'"), std::string::npos);
+  dpd.as<Dpd>().species[0].share = 2;
+  EXPECT_NE(error_of(dpd).find("share of species 'light' = 2"), std::string::npos);
   auto dpde = mixture(dpde_fluid(20));
-  dpde.pair_fluid->species[1].mass = -1;
+  dpde.as<Dpde>().species[1].mass = -1;
   EXPECT_NE(error_of(dpde).find("mass of species 'heavy' = -1"), std::string::npos);
 }
 

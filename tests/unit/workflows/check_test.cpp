@@ -95,11 +95,11 @@ TEST(ChainChecks, PublishedEquationsAgreeToTenthsOfAPerCent) {
 
 /// A run of argon whose pressure, density and temperatures are those of its equation of state times factors.
 RunResult run_of_argon(double P, double rho, double T_kin, double T_int) {
-  RunResult run{.scene = {}, .settings = {}, .equilibrium = {}, .summary = {}};
-  run.settings.eos = fitting::material("argon").eos;
-  run.settings.rho = 1150, run.settings.T = 1000, run.settings.K = 10;
+  sdpd::Sdpd const argon{.eos = fitting::material("argon").eos, .K = 10};
+  RunResult run{
+      .scene = {}, .settings = {.method = argon, .rho = 1150, .T = 1000}, .equilibrium = {}, .summary = {}};
   double const P_eos = std::visit(
-      [](auto const& eos) { return fitting::state_from_temperature(eos, 1150, 1000).P; }, run.settings.eos);
+      [](auto const& eos) { return fitting::state_from_temperature(eos, 1150, 1000).P; }, argon.eos);
   auto& e = run.equilibrium;
   e.P = {P * P_eos / run.settings.units().pressure(), 1e-4 * P_eos / run.settings.units().pressure(), 100};
   e.rho.mean = {rho, 1e-4, 100};

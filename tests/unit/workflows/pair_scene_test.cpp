@@ -28,8 +28,7 @@ TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
   for (auto const* absent : {"eos", "K =", "kernel", "eta", "h_factor"})
     EXPECT_EQ(resolved.find(absent), std::string::npos) << absent << resolved;
   auto const settings = settings_of(scene, 1);
-  ASSERT_TRUE(settings.pair_fluid);
-  EXPECT_TRUE(settings.pair_fluid->follows_energy());
+  ASSERT_TRUE(std::holds_alternative<sdpd::Dpde>(settings.method));
   EXPECT_EQ(settings.dt, 0.01);
   EXPECT_DOUBLE_EQ(settings.spacing(), std::cbrt(1.0 / 3));
   EXPECT_NO_THROW(sdpd::check(settings));
@@ -109,12 +108,12 @@ TEST(PairScene, InSiIsTheSameFluid) {
   EXPECT_NEAR(physical.spacing(), plain.spacing(), 1e-12);
   EXPECT_NEAR(physical.dt * units.time(), 1e-13, 1e-22);
   auto force = [](sdpd::SimulationSettings const& s) {
-    auto const potential = s.pair_fluid->reduced_potential(s.units());
+    auto const potential = s.as<sdpd::Dpde>().parts(s).potential;
     return std::get<sdpd::SoftPotential>(potential)(0.5, 2.0).strength;
   };
   EXPECT_NEAR(force(physical) / force(plain), 1, 1e-6);
   auto friction = [](sdpd::SimulationSettings const& s) {
-    auto const law = s.pair_fluid->law(s.units());
+    auto const law = s.as<sdpd::Dpde>().parts(s).law;
     auto const& shape = std::get<sdpd::DpdeLaw<sdpd::Across::none>>(law).shape;
     return std::get<sdpd::PowerFriction>(shape)(0.5).par;
   };
@@ -164,7 +163,7 @@ TEST(PairScene, RefusesWhatDoesNotBelongTogether) {
 /// The conduction's weight of a pair at distance r, reduced.
 double conduction_weight(Scene const& scene, double r) {
   auto const settings = settings_of(scene, 1);
-  auto const law = settings.pair_fluid->reduced_conduction(settings.units());
+  auto const law = settings.as<sdpd::Dpde>().parts(settings).conduction;
   return std::visit([r](auto const& shape) { return shape(r).par; },
                     std::get<sdpd::DpdeConduction>(law).shape);
 }
@@ -214,11 +213,11 @@ TEST(PairScene, TakesTablesAndModelsFromFiles) {
     EXPECT_NE(std::string(error.what()).find("stands in place of kappa"), std::string::npos) << error.what();
   }
   auto const settings = settings_of(scene, 1);
-  auto const& fluid = *settings.pair_fluid;
+  auto const& fluid = settings.as<sdpd::Dpde>();
   EXPECT_NEAR(std::get<sdpd::TabulatedPotential>(fluid.potential)(0.325, 1 / 0.325).strength * 0.325,
               25 * 0.675, 1e-6);
   EXPECT_NEAR(std::get<sdpd::TabulatedFriction>(fluid.friction)(0.5).par, 1.1, 1e-3);
-  EXPECT_EQ(std::get<fitting::ConstantHeatCapacity>(*fluid.internal_energy).heat_capacity(1), 30);
+  EXPECT_EQ(std::get<fitting::ConstantHeatCapacity>(fluid.internal_energy).heat_capacity(1), 30);
 
   write_text_file(scratch / "bad.csv", "r,u\n0.1,2\n0.2,x\n");
   try {

@@ -1,7 +1,19 @@
 #include "workflows/scene/keys/line.hpp"
 #include "workflows/scene/keys/tables.hpp"
+#include <fmt/ranges.h>
 
 namespace mesobridge::workflows {
+
+namespace {
+
+std::string methods_text() {
+  std::vector<std::string> lines;
+  for (auto const& method : sdpd::methods())
+    lines.push_back(fmt::format("{}: {}", method.name, method.help));
+  return fmt::format("{}", fmt::join(lines, "; "));
+}
+
+} // namespace
 
 std::vector<SceneKey> title_and_method_keys() {
   return {
@@ -13,11 +25,8 @@ std::vector<SceneKey> title_and_method_keys() {
           "SI: quantities are texts with a unit; lj: plain numbers in Lennard-Jones units")
           .choices({"SI", "lj"}),
       Line(
-          "method", "name", [](Scene& s) { return &s.method.name; },
-          "sdpd: particles of fluid with an equation of state; dpde: soft particles with internal energies; "
-          "dpd: "
-          "soft particles at a set temperature")
-          .choices({"sdpd", "dpde", "dpd"}),
+          "method", "name", [](Scene& s) { return &s.method.name; }, methods_text())
+          .choices(sdpd::method_names()),
   };
 }
 
@@ -28,7 +37,7 @@ std::vector<SceneKey> fluid_keys() {
           "a name of `eos list` (argon, tin, lj ...), or the path of a fitted model, seen from the scene's "
           "folder")
           .required()
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
       Line(
           "fluid", "rho", [](Scene& s) { return &s.fluid.rho; },
           "mean density, mass per volume. N particles of mass m fill the volume N m/rho: with units = "
@@ -43,14 +52,14 @@ std::vector<SceneKey> fluid_keys() {
       Line(
           "fluid", "m0", [](Scene& s) { return &s.fluid.m0; }, "mass of one molecule; ideal-gas only")
           .quantity(Dimension::mass, positive)
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
       Line(
           "fluid", "centre_of_mass", [](Scene& s) { return &s.fluid.centre_of_mass; },
           "free: the particles' equation of state is the bulk's less what their moving centres of mass "
           "carry, "
           "so that totals do not depend on K; bulk: it is the bulk's")
           .choices({"free", "bulk"})
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
   };
 }
 
@@ -60,17 +69,17 @@ std::vector<SceneKey> transport_keys() {
           "transport", "eta", [](Scene& s) { return &s.transport.eta; }, "shear viscosity")
           .required()
           .quantity(Dimension::viscosity, positive)
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
       Line(
           "transport", "zeta", [](Scene& s) { return &s.transport.zeta; },
           "bulk viscosity, less than 5 eta / 3")
           .quantity(Dimension::viscosity, not_negative)
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
       Line(
           "transport", "kappa", [](Scene& s) { return &s.transport.kappa; },
           "thermal conductivity; 0: particles exchange heat by friction alone")
           .quantity(Dimension::conductivity, not_negative)
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
   };
 }
 

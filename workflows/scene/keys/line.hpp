@@ -1,12 +1,11 @@
 #pragma once
+#include "sdpd/method/list.hpp"
 #include "workflows/scene/keys.hpp"
 #include <utility>
 
 namespace mesobridge::workflows {
 
 inline constexpr NumberRange at_least_one{.min = 1};
-
-inline std::vector<std::string> const sdpd_only{"sdpd"}, pair_methods{"dpde", "dpd"};
 
 /// Builds one line of the table: what is not said stays at SceneKey's default.
 struct Line {
@@ -17,7 +16,10 @@ struct Line {
     key.slot = std::move(slot);
     key.meaning = std::move(meaning);
   }
-  Line of(std::vector<std::string> methods) && { return key.methods = std::move(methods), std::move(*this); }
+  template <class... Methods>
+  Line of() && {
+    return key.methods = {std::string(Methods::name)...}, std::move(*this);
+  }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
   Line in(NumberRange range) && { return key.range = range, std::move(*this); }

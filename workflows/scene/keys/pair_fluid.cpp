@@ -12,57 +12,57 @@ std::vector<SceneKey> friction_keys() {
           "friction along the line of centres at contact: gamma (1 - r/cutoff)^exponent, at the set "
           "temperature")
           .quantity(Dimension::friction, not_negative)
-          .of(pair_methods),
+          .of<sdpd::Dpde, sdpd::Dpd>(),
       Line(
           "friction", "gamma_perp", [](Scene& s) { return &s.friction.gamma_perp; },
           "the same across the line of centres")
           .quantity(Dimension::friction, not_negative)
-          .of(pair_methods),
+          .of<sdpd::Dpde, sdpd::Dpd>(),
       Line(
           "friction", "cutoff", [](Scene& s) { return &s.friction.cutoff; },
           "where the friction ends; the reduced unit of length")
           .quantity(Dimension::length, positive)
-          .of(pair_methods),
+          .of<sdpd::Dpde, sdpd::Dpd>(),
       Line(
           "friction", "exponent", [](Scene& s) { return &s.friction.exponent; },
           "of the weight; if not given, 2, which is customary")
           .in({.min = 0, .open = true, .max = 20})
-          .of(pair_methods),
+          .of<sdpd::Dpde, sdpd::Dpd>(),
       Line(
           "friction", "file", [](Scene& s) { return &s.friction.file; },
           "CSV with columns r,gamma_par and perhaps gamma_perp (SI: r_m,gamma_par_kg_s,gamma_perp_kg_s), in "
           "place of the above")
-          .of(pair_methods),
+          .of<sdpd::Dpde, sdpd::Dpd>(),
       Line(
           "internal_energy", "heat_capacity", [](Scene& s) { return &s.internal_energy.heat_capacity; },
           "of a particle, in k_B, constant")
           .in(positive)
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
       Line(
           "internal_energy", "model", [](Scene& s) { return &s.internal_energy.model; },
           "or the path of a model file with a table of C(T) or S(eps)")
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
       Line(
           "conduction", "kappa", [](Scene& s) { return &s.conduction.kappa; },
           "heat that particles exchange beside their friction, at contact: kappa (1 - r/cutoff)^exponent "
           "(1/T_i "
           "- 1/T_j) per time, with its noise; 0: none")
           .quantity(Dimension::conduction, not_negative)
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
       Line(
           "conduction", "cutoff", [](Scene& s) { return &s.conduction.cutoff; },
           "where it ends; if not given, where the friction does")
           .quantity(Dimension::length, positive)
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
       Line(
           "conduction", "exponent", [](Scene& s) { return &s.conduction.exponent; },
           "of the weight; if not given, 2, which is customary")
           .in({.min = 0, .open = true, .max = 20})
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
       Line(
           "conduction", "file", [](Scene& s) { return &s.conduction.file; },
           "CSV with columns r,kappa (SI: r_m,kappa_W_K), in place of the above")
-          .of({"dpde"}),
+          .of<sdpd::Dpde>(),
   };
 }
 

@@ -23,7 +23,7 @@ SceneKey key_of(sdpd::Parameter const& parameter) {
                      [name = parameter.name](Scene& s) { return &s.potential.parameters[name]; },
                      fmt::format("{}; {}", parameter.meaning, names_with(parameter)))
                      .in(parameter.range)
-                     .of(pair_methods);
+                     .of<sdpd::Dpde, sdpd::Dpd>();
   key.dimension = parameter.dimension;
   return key;
 }
@@ -40,7 +40,7 @@ SceneKey key_of_names() {
              "potential", "name", [](Scene& s) { return &s.potential.name; },
              fmt::format("potential between two particles: {}", fmt::join(meanings, "; ")))
       .choices(names)
-      .of(pair_methods);
+      .of<sdpd::Dpde, sdpd::Dpd>();
 }
 
 } // namespace
@@ -71,7 +71,7 @@ std::vector<SceneKey> potential_keys() {
   keys.push_back(Line(
                      "potential", "file", [](Scene& s) { return &s.potential.file; },
                      "CSV with columns r,u and perhaps the force f (SI: r_m,u_J,f_N); table")
-                     .of(pair_methods));
+                     .of<sdpd::Dpde, sdpd::Dpd>());
   return keys;
 }
 

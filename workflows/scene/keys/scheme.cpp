@@ -74,7 +74,7 @@ std::vector<SceneKey> scheme_keys() {
           "on, or off: viscous smoothed particle hydrodynamics, which starts at rest and whose densities are "
           "plain unless the scene says otherwise")
           .choices({"on", "off"})
-          .of(sdpd_only),
+          .of<sdpd::Sdpd>(),
   };
 }
 

@@ -1,7 +1,8 @@
-#include "workflows/sdpd/pair_fluid_of.hpp"
+#include "workflows/sdpd/method_of.hpp"
 #include "fitting/internal_energy_file.hpp"
 #include "md/units.hpp"
 #include "workflows/sdpd/column_file.hpp"
+#include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 
@@ -81,19 +82,41 @@ fitting::AnyInternalEnergy internal_energy_of(Scene const& scene) {
   return model.internal_energy;
 }
 
+sdpd::PairFluid pair_fluid_of(Scene const& scene) {
+  return {.mass = *scene.particles.mass,
+          .boltzmann = is_si(scene) ? k_B : 1,
+          .potential = potential_of(scene),
+          .friction = friction_of(scene)};
+}
+
+sdpd::AnyMethod make(std::type_identity<sdpd::Sdpd>, Scene const& scene) {
+  return sdpd::Sdpd{.eos = eos_of(scene),
+                    .K = scene.particles.K,
+                    .centre_of_mass = scene.fluid.centre_of_mass == "free" ? sdpd::CentreOfMass::free
+                                                                           : sdpd::CentreOfMass::bulk,
+                    .kernel = scene.particles.kernel,
+                    .density_correction = density_correction_of(scene),
+                    .h_factor = scene.particles.h_factor,
+                    .eta = scene.transport.eta,
+                    .zeta = scene.transport.zeta,
+                    .kappa = scene.transport.kappa};
+}
+
+sdpd::AnyMethod make(std::type_identity<sdpd::Dpde>, Scene const& scene) {
+  auto const particles = pair_fluid_of(scene);
+  return sdpd::Dpde{particles, internal_energy_of(scene), conduction_of(scene, particles.friction_cutoff())};
+}
+
+sdpd::AnyMethod make(std::type_identity<sdpd::Dpd>, Scene const& scene) {
+  return sdpd::Dpd{pair_fluid_of(scene)};
+}
+
 } // namespace
 
-sdpd::PairFluid pair_fluid_of(Scene const& scene) {
-  sdpd::PairFluid fluid{.mass = *scene.particles.mass,
-                        .boltzmann = is_si(scene) ? k_B : 1,
-                        .potential = potential_of(scene),
-                        .friction = friction_of(scene),
-                        .internal_energy = {}};
-  if (scene.method.name == "dpde") {
-    fluid.internal_energy = internal_energy_of(scene);
-    fluid.conduction = conduction_of(scene, fluid.friction_cutoff());
-  }
-  return fluid;
+sdpd::AnyMethod method_of(Scene const& scene) {
+  std::optional<sdpd::AnyMethod> method;
+  sdpd::for_method(scene.method.name, [&](auto type) { method = make(type, scene); });
+  return method.value();
 }
 
 } // namespace mesobridge::workflows
