@@ -132,8 +132,9 @@ double narrowest_edge(Scene const& scene) {
 
 Scene small_sample(Scene const& scene, std::int64_t particles) {
   Scene sample = scene;
-  auto const narrowest = static_cast<std::int64_t>(std::ceil(narrowest_edge(scene)));
-  auto const side = std::max(narrowest, static_cast<std::int64_t>(std::llround(std::cbrt(particles))));
+  auto const wanted = static_cast<std::int64_t>(std::llround(std::cbrt(particles)));
+  sample.particles.N = wanted * wanted * wanted;
+  auto const side = std::max(wanted, static_cast<std::int64_t>(std::ceil(narrowest_edge(sample))));
   sample.particles.N = side * side * side;
   sample.run.trajectory_every = sample.run.vtkhdf_every = sample.run.xyz_every = 0;
   sample.run.instant_every = 0;
