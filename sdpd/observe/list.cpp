@@ -2,10 +2,18 @@
 
 namespace mesobridge::sdpd {
 
+// Each in a file of this folder.
 std::vector<Measurement> observed_sums();
+Measurement mean_neighbours();
+Measurement compression_response();
 
 std::vector<Measurement> const& measurements() {
-  static auto const all = observed_sums();
+  static auto const all = [] {
+    auto list = observed_sums();
+    list.push_back(mean_neighbours());
+    list.push_back(compression_response());
+    return list;
+  }();
   return all;
 }
 

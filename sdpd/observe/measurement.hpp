@@ -34,8 +34,7 @@ inline bool without_densities(Features const& has) {
 }
 
 /// Something that is measured of the whole fluid, declared once: the keys of scenes with their help, run.h5,
-/// the log, summary and report of a run, and the estimates of its time and disk go through measurements()
-/// (list.hpp).
+/// the log, summary and report of a run, and the estimate of its disk go through measurements() (list.hpp).
 struct Measurement {
   /// Of the sums that each sample finds anyway: measured in every run, a column of `thermodynamics`.
   using FromSums = std::vector<double> (*)(Observation const&);

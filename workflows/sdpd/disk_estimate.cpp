@@ -1,6 +1,6 @@
 #include "workflows/sdpd/disk_estimate.hpp"
 #include "workflows/scene/quantities.hpp"
-#include "workflows/sdpd/measured_columns.hpp"
+#include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/store/store.hpp"
 #include <algorithm>
@@ -78,6 +78,11 @@ double results(Scene const& scene, Particle const& of) {
              static_cast<double>(
                  chosen(scene.histogram.quantities, histogram_quantities(), scene.method.name).size()) *
                  (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
+  double const measured = rows(scene, scene.series.every);
+  if (measured > 0)
+    bytes += 2 * growing(measured, 1);
+  for (auto const& of_series : measured_in_series(scene))
+    bytes += growing(measured, static_cast<double>(of_series.components.size()));
   return bytes;
 }
 
