@@ -6,12 +6,14 @@ namespace mesobridge::sdpd {
 std::vector<Measurement> observed_sums();
 Measurement mean_neighbours();
 Measurement compression_response();
+Measurement pressure_tensor();
 
 std::vector<Measurement> const& measurements() {
   static auto const all = [] {
     auto list = observed_sums();
     list.push_back(mean_neighbours());
     list.push_back(compression_response());
+    list.push_back(pressure_tensor());
     return list;
   }();
   return all;
