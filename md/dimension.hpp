@@ -4,12 +4,14 @@ namespace mesobridge {
 
 /// What a quantity measures: it decides which units it is read and written in.
 enum class Dimension {
+  number, ///< none
   mass,
   length,
   time,
   temperature,
   density,
   velocity,
+  momentum,
   pressure,
   energy,
   entropy,

@@ -25,6 +25,11 @@ std::uint64_t Simulation::step() const {
 Observation Simulation::observe() const {
   return sdpd::observe(*system_);
 }
+std::vector<double> Simulation::measure(Measurement const& measurement) const {
+  if (auto const* const of_system = std::get_if<Measurement::FromSystem>(&measurement.values))
+    return (*of_system)(*system_);
+  return std::get<Measurement::FromSums>(measurement.values)(observe());
+}
 bool Simulation::has_thermostat() const {
   return !system_->has_energies();
 }

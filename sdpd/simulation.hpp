@@ -1,6 +1,6 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
-#include "sdpd/observe/observation.hpp"
+#include "sdpd/observe/measurement.hpp"
 #include "sdpd/state/checkpoint.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/state/snapshot.hpp"
@@ -27,6 +27,8 @@ class Simulation {
 
   std::uint64_t step() const; ///< steps since the start
   Observation observe() const;
+  /// The components of a measurement of observe/list.hpp, reduced.
+  std::vector<double> measure(Measurement const& measurement) const;
   Snapshot snapshot() const;
   /// The same with the particles' virials, for which DPD and DPDE look at all pairs again.
   Snapshot snapshot_with_virials() const;

@@ -17,6 +17,7 @@ struct Unit {
 
 /// All units; the first of each dimension is SI.
 constexpr Unit units[] = {
+    {Dimension::number, "", 1},
     {Dimension::mass, "kg", 1},
     {Dimension::mass, "g", 1e-3},
     {Dimension::mass, "u", atomic_mass},
@@ -35,6 +36,7 @@ constexpr Unit units[] = {
     {Dimension::density, "g/cm^3", 1e3},
     {Dimension::velocity, "m/s", 1},
     {Dimension::velocity, "km/s", 1e3},
+    {Dimension::momentum, "kg*m/s", 1},
     {Dimension::pressure, "Pa", 1},
     {Dimension::pressure, "MPa", 1e6},
     {Dimension::pressure, "GPa", 1e9},

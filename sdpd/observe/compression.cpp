@@ -1,5 +1,6 @@
 #include "sdpd/observe/compression.hpp"
 #include "sdpd/neighbours/block_copy.hpp"
+#include "sdpd/observe/measurement.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -21,6 +22,15 @@ double compression_response(System const& system) {
       },
       system.kernel);
   return 2 * sum / (3 * static_cast<double>(system.size()));
+}
+
+Measurement compression_response() {
+  return {
+      .name = "compression_response",
+      .meaning = "d<rho>/d ln(1/V) at an affine compression: 1 where densities follow the mass per volume",
+      .exists = with_densities,
+      .values = [](System const& system) -> std::vector<double> { return {compression_response(system)}; },
+      .pair_passes = 1};
 }
 
 } // namespace mesobridge::sdpd

@@ -55,6 +55,14 @@ struct SameToBoth {
   void give(Index i, double sum) const { values[i] += sum; }
 };
 
+/// Gives the particles nothing: the law itself keeps what it finds.
+struct ToNobody {
+  using Sums = std::vector<char>;
+
+  [[gnu::always_inline]] static void add(char*, PairLanes const&, Lanes const&) {}
+  void give(Index, char) const {}
+};
+
 /// Calls law(pairs, eight at a time) for the pairs of a block whose particles are in `rows`, and adds what it
 /// returns to the sums of its particles.
 template <class Scatter, class Law>

@@ -148,12 +148,13 @@ void check_quantities(Scene const& scene, Places const& places, std::string cons
                    fmt::format("must be 0: particles of {} have none of the quantities", scene.method.name));
 }
 
-/// Profiles and histograms on schedules that the run can keep.
+/// Profiles, histograms and series on schedules that the run can keep.
 void check_schedules(Scene const& scene, Places const& places) {
   auto const& profile = scene.profile;
   auto const& histogram = scene.histogram;
   check_quantities(scene, places, "profile", profile.every, profile.quantities, profile_quantities());
   check_quantities(scene, places, "histogram", histogram.every, histogram.quantities, histogram_quantities());
+  check_quantities(scene, places, "series", scene.series.every, scene.series.quantities, series_quantities());
   for (auto const& [key, every] :
        {std::pair("profile.every", profile.every), {"histogram.every", histogram.every}})
     require_together(every <= scene.run.steps, places, key, every,
@@ -167,6 +168,10 @@ void check_together(Scene const& scene, Places const& places) {
   check_wish(scene, places);
   check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs
+  require_together(
+      scene.series.every <= scene.run.steps / least_instants, places, "series.every", scene.series.every,
+      fmt::format("must be <= run.steps/{} = {}, or there are too few rows for errors; 0 for none",
+                  least_instants, scene.run.steps / least_instants));
   require_together(scene.run.instant_every <= scene.run.steps / least_instants, places, "run.instant_every",
                    scene.run.instant_every,
                    fmt::format("must be <= run.steps/{} = {}, or there are too few instants for errors",

@@ -20,9 +20,10 @@ struct SceneKey {
   std::function<Slot(Scene&)> slot;
   std::optional<Dimension> dimension; ///< of a quantity: then SI scenes give it as a string with a unit
   NumberRange range;
-  std::vector<std::string> choices; ///< of a text, or of the texts of a list; empty: any
-  bool required = false;            ///< if not, the default is that of a fresh Scene
-  std::vector<std::string> methods; ///< the methods that have the key; empty: all
+  std::vector<std::string> choices;          ///< of a text, or of the texts of a list; empty: any
+  bool required = false;                     ///< if not, the default is that of a fresh Scene
+  std::vector<std::string> methods;          ///< the methods that have the key; empty: all
+  std::function<bool(Scene const&)> written; ///< whether resolved scenes show it; empty: always
   std::string meaning;
 
   bool belongs_to(std::string const& method) const;

@@ -1,15 +1,19 @@
 #include "workflows/scene/quantities.hpp"
 #include "sdpd/method/list.hpp"
+#include "sdpd/observe/list.hpp"
 #include <algorithm>
+#include <functional>
 
 namespace mesobridge::workflows {
 
 namespace {
 
-std::vector<std::string> methods_with(bool sdpd::Features::*feature) {
+/// Those of whose features the condition, a member or a function of them, holds.
+template <class Condition>
+std::vector<std::string> methods_with(Condition condition) {
   std::vector<std::string> methods;
   for (auto const& method : sdpd::methods())
-    if (method.features.*feature)
+    if (std::invoke(condition, method.features))
       methods.emplace_back(method.name);
   return methods;
 }
@@ -43,6 +47,17 @@ std::vector<NamedQuantity> const& profile_quantities() {
 
 std::vector<NamedQuantity> const& histogram_quantities() {
   static auto const all = fields_with(&sdpd::Field::written);
+  return all;
+}
+
+std::vector<NamedQuantity> const& series_quantities() {
+  static auto const all = [] {
+    std::vector<NamedQuantity> asked;
+    for (auto const& measured : sdpd::measurements())
+      if (!measured.in_every_run())
+        asked.push_back({std::string(measured.name), methods_with(measured.exists)});
+    return asked;
+  }();
   return all;
 }
 

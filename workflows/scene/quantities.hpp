@@ -15,6 +15,9 @@ std::vector<NamedQuantity> const& profile_quantities();
 /// What a histogram may count: the fields of the particles that are written.
 std::vector<NamedQuantity> const& histogram_quantities();
 
+/// What a series may hold: the measurements that no run makes unless it is asked to.
+std::vector<NamedQuantity> const& series_quantities();
+
 std::vector<std::string> names_of(std::vector<NamedQuantity> const& quantities);
 
 /// The quantities that a scene names or, when it names none, all that its method has.

@@ -54,7 +54,7 @@ std::string resolved_toml(Scene const& scene) {
   std::string text, section;
   for (auto const& key : scene_keys()) {
     auto const value = value_text(key, scene);
-    if (!value)
+    if (!value || (key.written && !key.written(scene)))
       continue;
     if (key.section != section) {
       section = key.section;

@@ -134,6 +134,11 @@ struct Scene {
     std::vector<std::string> quantities; ///< empty: all that the method has
     bool operator==(Histogram const&) const = default;
   } histogram;
+  struct Series { ///< of measurements beside those of every run, into run.h5
+    std::int64_t every = 0;
+    std::vector<std::string> quantities; ///< empty: all that the method has
+    bool operator==(Series const&) const = default;
+  } series;
   struct Output {
     std::optional<std::string> directory;
     bool operator==(Output const&) const = default;

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/disk_estimate.hpp"
 #include "workflows/scene/quantities.hpp"
+#include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/store/store.hpp"
 #include <algorithm>
@@ -29,11 +30,20 @@ Particle particle_of(Scene const& scene) {
   auto const has = scene.features();
   double const scalars = count_fields(has, &sdpd::Field::written),
                checkpoint = 10 + count_fields(has, &sdpd::Field::checkpointed);
-  if (has.densities)
-    return {.scalars = scalars, .instants = 3, .checkpoint = checkpoint, .sample = 12, .moments = 7};
-  if (has.energies)
-    return {.scalars = scalars, .instants = 1, .checkpoint = checkpoint, .sample = 12, .moments = 3};
-  return {.scalars = scalars, .instants = 0, .checkpoint = checkpoint, .sample = 10, .moments = 0};
+  double sample = 2; // step and time
+  for (auto const& measured : measured_in_every_run(has))
+    sample += static_cast<double>(measured.components.size());
+  double const instants = has.densities  ? 3
+                          : has.energies ? 1
+                                         : 0,
+               moments = has.densities  ? 7
+                         : has.energies ? 3
+                                        : 0;
+  return {.scalars = scalars,
+          .instants = instants,
+          .checkpoint = checkpoint,
+          .sample = sample,
+          .moments = moments};
 }
 
 /// Rows that are written after so many steps each, and before the first.
@@ -68,6 +78,11 @@ double results(Scene const& scene, Particle const& of) {
              static_cast<double>(
                  chosen(scene.histogram.quantities, histogram_quantities(), scene.method.name).size()) *
                  (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
+  double const measured = rows(scene, scene.series.every);
+  if (measured > 0)
+    bytes += 2 * growing(measured, 1);
+  for (auto const& of_series : measured_in_series(scene))
+    bytes += growing(measured, static_cast<double>(of_series.components.size()));
   return bytes;
 }
 

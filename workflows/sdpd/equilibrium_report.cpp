@@ -3,6 +3,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
+#include "workflows/sdpd/measured_report.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/text_file.hpp"
 
@@ -61,6 +62,18 @@ Table numbers(RunResult const& run, OutputUnits const& units) {
   if (energies)
     add_energies(table, run, units);
   return table;
+}
+
+/// What the set state is to be compared with, reduced.
+sdpd::SetState set_state(RunResult const& run) {
+  auto const& settings = run.settings;
+  auto const* const sdpd = std::get_if<sdpd::Sdpd>(&settings.method);
+  if (!sdpd)
+    return {};
+  double const P = std::visit(
+      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T).P; },
+      sdpd->eos);
+  return {.P = P / settings.units().pressure()};
 }
 
 std::vector<std::string> texts_of(std::vector<sdpd::Finding> const& findings) {
@@ -178,6 +191,8 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .sources = sources_of(run)};
   report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));
+  if (auto measured = measured_section(run_file, run, set_state(run)))
+    report.sections.push_back(std::move(*measured));
   if (auto const profiles = profile_plots(run_file, run); !profiles.empty())
     report.sections.push_back(
         {"Profiles",

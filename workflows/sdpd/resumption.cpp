@@ -65,10 +65,11 @@ bool may_differ(std::string const& key, Values const& stored) {
                             "run.checkpoint_minutes",
                             "profile.every",
                             "histogram.every",
+                            "series.every",
                             "output.directory"};
   if (std::ranges::find(free, key) != free.end())
     return true;
-  for (std::string const series : {"profile", "histogram"}) // that had not begun
+  for (std::string const series : {"profile", "histogram", "series"}) // that had not begun
     if (key.starts_with(series + ".") && steps_of(stored, series + ".every") == 0)
       return true;
   return false;
@@ -170,7 +171,7 @@ Scene resumed_scene(Scene scene, std::string const& stored_scene, std::vector<In
   throw InputError(
       fmt::format("'{}' was written by another scene than this one: {}. A run that is resumed may "
                   "change run.steps, title, output.directory, and the schedules of trajectories, "
-                  "profiles, histograms and checkpoints; for anything else begin anew with --force "
+                  "profiles, histograms, series and checkpoints; for anything else begin anew with --force "
                   "or in another folder",
                   place.string(), fmt::join(differences, ", ")));
 }

@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_file.hpp"
 #include "md/error.hpp"
 #include "workflows/sdpd/last_step.hpp"
+#include "workflows/sdpd/measured_columns.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -52,23 +53,13 @@ void RunFile::refuse_gap(std::int64_t last_sample, std::int64_t last_instant) co
 
 std::vector<RunFile::Column> RunFile::columns(OutputUnits const& u, sdpd::Features features,
                                               sdpd::Observation const& now, double time) {
-  std::vector<Column> all{{"step", static_cast<double>(now.step)},
-                          {"time" + u.time_key, time * u.time},
-                          {"kinetic_energy" + u.energy_key, now.kinetic * u.energy}};
-  if (features.energies)
-    all.push_back({"internal_energy" + u.energy_key, now.internal * u.energy});
-  if (!features.densities)
-    all.push_back({"potential_energy" + u.energy_key, now.potential * u.energy});
-  all.push_back({"energy" + u.energy_key, now.energy() * u.energy});
-  all.push_back({"T_kin" + u.temperature_key, now.T_kin * u.temperature});
-  if (features.energies)
-    all.push_back({"T_int" + u.temperature_key, now.T_int * u.temperature});
-  all.push_back({"P" + u.pressure_key, now.P * u.pressure});
-  if (features.densities)
-    all.push_back({"rho" + u.density_key, now.rho * u.density});
-  all.push_back({"momentum_x" + u.momentum_key, now.momentum.x * u.momentum});
-  all.push_back({"momentum_y" + u.momentum_key, now.momentum.y * u.momentum});
-  all.push_back({"momentum_z" + u.momentum_key, now.momentum.z * u.momentum});
+  std::vector<Column> all{{"step", static_cast<double>(now.step)}, {"time" + u.time_key, time * u.time}};
+  for (auto const& measured : measured_in_every_run(features)) {
+    auto const names = columns_of(measured, u);
+    auto const values = std::get<sdpd::Measurement::FromSums>(measured.values)(now);
+    for (std::size_t c = 0; c < names.size(); ++c)
+      all.push_back({names[c], values[c] * u.of(measured.dimension).first});
+  }
   return all;
 }
 

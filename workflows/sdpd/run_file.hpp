@@ -49,6 +49,7 @@ class RunFile {
 
   /// For further series of the same run.
   Store& store() { return store_; }
+  Store const& store() const { return store_; }
 
   void close() { store_.close(); }
 

@@ -1,4 +1,6 @@
 #include "workflows/sdpd/run_log.hpp"
+#include "workflows/quantity.hpp"
+#include "workflows/sdpd/measured_columns.hpp"
 #include "workflows/version.hpp"
 #include <algorithm>
 #include <array>
@@ -45,31 +47,27 @@ RunLog::RunLog(std::filesystem::path const& file, bool resume, std::string const
 }
 
 void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
-  auto add = [](std::string& text, double value) { text += fmt::format(" {:>16.9g}", value); };
-  if (!titled_) {
-    auto title =
-        fmt::format("{:>12}", "Step") + column("Time", si_ ? "s" : "") + column("T_kin", si_ ? "K" : "");
-    title += features_.energies ? column("T_int", si_ ? "K" : "") : "";
-    title += column("P", si_ ? "Pa" : "");
-    title += features_.densities ? column("rho", si_ ? "kg/m^3" : "") : "";
-    title += column("E/N", si_ ? "J" : "");
-    write(title + "\n");
-    if (tell_)
-      tell_(title);
-    titled_ = true;
-  }
-  auto text = fmt::format("{:>12}", observed.step);
-  add(text, static_cast<double>(done) * dt_ * units_.time);
-  add(text, observed.T_kin * units_.temperature);
-  if (features_.energies)
-    add(text, observed.T_int * units_.temperature);
-  add(text, observed.P * units_.pressure);
-  if (features_.densities)
-    add(text, observed.rho * units_.density);
-  add(text, observed.energy() / particles_ * units_.energy);
-  write(text + "\n");
+  auto title = fmt::format("{:>12}", "Step") + column("Time", si_ ? "s" : ""),
+       text = fmt::format("{:>12} {:>16.9g}", observed.step, static_cast<double>(done) * dt_ * units_.time);
+  for (auto const& measured : measured_in_every_run(features_))
+    if (measured.logged) {
+      title += column(std::string(measured.name), si_ ? std::string(si_unit(measured.dimension)) : "");
+      double const value = std::get<sdpd::Measurement::FromSums>(measured.values)(observed).front();
+      text += fmt::format(" {:>16.9g}", value * units_.of(measured.dimension).first);
+    }
+  title += column("E/N", si_ ? "J" : "");
+  text += fmt::format(" {:>16.9g}", observed.energy() / particles_ * units_.energy);
+  if (!titled_)
+    tell(title);
+  titled_ = true;
+  tell(text);
+}
+
+/// A line for the file and for whoever listens.
+void RunLog::tell(std::string const& line) {
+  write(line + "\n");
   if (tell_)
-    tell_(text);
+    tell_(line);
 }
 
 void RunLog::say(std::string const& message) {

@@ -30,6 +30,7 @@ class RunLog {
 
  private:
   void write(std::string const& text);
+  void tell(std::string const& line);
 
   std::filesystem::path file_;
   OutputUnits units_;

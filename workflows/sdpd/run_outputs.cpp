@@ -20,7 +20,7 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
                        std::optional<FrameSchedules> const& before)
     : units_(units), dt_(settings.dt), sample_every_(scene.run.sample_every),
       instants_every_(instants_every(scene.run)), profile_every_(scene.profile.every),
-      histogram_every_(scene.histogram.every),
+      histogram_every_(scene.histogram.every), series_every_(scene.series.every),
       run_file_(open_run_file(RunFolder(folder).run_file(), units, settings.features(), provenance,
                               before.has_value())),
       profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
@@ -29,6 +29,9 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
       histograms_(histogram_every_ > 0
                       ? std::optional<HistogramSeries>(std::in_place, run_file_.store(), scene, units)
                       : std::nullopt),
+      series_(series_every_ > 0
+                  ? std::optional<MeasuredSeries>(std::in_place, run_file_.store(), scene, units)
+                  : std::nullopt),
       trajectories_(scene, folder, provenance, before) {}
 
 void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) const {
@@ -37,7 +40,8 @@ void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) cons
 }
 
 std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {
-  for (std::int64_t const every : {sample_every_, instants_every_, profile_every_, histogram_every_})
+  for (std::int64_t const every :
+       {sample_every_, instants_every_, profile_every_, histogram_every_, series_every_})
     if (every > 0)
       steps = std::min(steps, every - done % every);
   return trajectories_.steps_to_next(done, steps);
@@ -47,6 +51,8 @@ void RunOutputs::record(std::int64_t done, sdpd::Observation const& observed,
                         sdpd::Simulation const& simulation) {
   if (is_due(done, sample_every_))
     run_file_.append(observed, static_cast<double>(done) * dt_);
+  if (is_due(done, series_every_))
+    series_->append(simulation, static_cast<double>(done) * dt_ * units_.time);
   record_instants(done, simulation);
   trajectories_.record(done, simulation, units_, dt_);
 }

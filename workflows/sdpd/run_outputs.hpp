@@ -2,6 +2,7 @@
 #include "sdpd/method/settings.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/sdpd/histogram_series.hpp"
+#include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/profile_series.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/sdpd/trajectories.hpp"
@@ -9,8 +10,8 @@
 
 namespace mesobridge::workflows {
 
-/// All that a run writes on its way: samples, instants, profiles, histograms and frames, each on its own
-/// schedule of sampled steps.
+/// All that a run writes on its way: samples, instants, series, profiles, histograms and frames, each on its
+/// own schedule of sampled steps.
 class RunOutputs {
  public:
   /// Creates the files in the folder or, when the run is resumed, goes on with what it wrote `before`. Throws
@@ -41,10 +42,11 @@ class RunOutputs {
 
   OutputUnits units_;
   double dt_;
-  std::int64_t sample_every_, instants_every_, profile_every_, histogram_every_;
+  std::int64_t sample_every_, instants_every_, profile_every_, histogram_every_, series_every_;
   RunFile run_file_;
   std::optional<ProfileSeries> profiles_;
   std::optional<HistogramSeries> histograms_;
+  std::optional<MeasuredSeries> series_;
   Trajectories trajectories_;
 };
 

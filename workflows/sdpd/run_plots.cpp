@@ -2,6 +2,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/sdpd/run_file.hpp"
+#include "workflows/sdpd/short_series.hpp"
 #include <algorithm>
 #include <array>
 #include <gsl/gsl_statistics_double.h>
@@ -20,12 +21,6 @@ std::vector<double> column(std::vector<double> const& rows, std::vector<std::str
     return values;
   for (auto r = static_cast<std::size_t>(found - names.begin()); r < rows.size(); r += names.size())
     values.push_back(rows[r]);
-  return values;
-}
-
-std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& value : values)
-    value *= factor;
   return values;
 }
 
@@ -63,15 +58,6 @@ class Rows {
   std::size_t slices_, components_, component_;
 };
 
-/// The mean of independent values; its error is 0 for a single one.
-cg::Estimate mean_of(std::vector<double> const& values) {
-  constexpr std::size_t enough = 16; // for an estimate of their memory
-  if (values.size() >= enough)
-    return cg::estimate_mean(values);
-  double const mean = gsl_stats_mean(values.data(), 1, values.size()), n = static_cast<double>(values.size());
-  return {mean, n > 1 ? gsl_stats_sd(values.data(), 1, values.size()) / std::sqrt(n) : 0, n};
-}
-
 /// Means over the profiles in which a slice has enough particles for the quantity.
 Series mean_profile(Rows const& rows, Rows const& number, double least_number,
                     std::vector<double> const& position, double factor) {
@@ -83,16 +69,10 @@ Series mean_profile(Rows const& rows, Rows const& number, double least_number,
         values.push_back(factor * rows(r, slice));
     if (values.empty())
       continue;
-    auto const mean = mean_of(values);
+    auto const mean = mean_of_series(values);
     series.x.push_back(position[slice]), series.y.push_back(mean.mean), series.y_error.push_back(mean.se);
   }
   return series;
-}
-
-/// A name for drawings: its letters and digits.
-std::string drawing_name(std::string text) {
-  std::erase_if(text, [](unsigned char c) { return !std::isalnum(c); });
-  return text;
 }
 
 std::string key_of(std::string const& quantity, OutputUnits const& units) {
@@ -114,6 +94,17 @@ Plot profile_frame(std::string const& quantity, std::string const& x, std::strin
 }
 
 } // namespace
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values)
+    value *= factor;
+  return values;
+}
+
+std::string drawing_name(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return !std::isalnum(c); });
+  return text;
+}
 
 AxisOfColumn axis_of(std::string const& column) {
   struct Unit {
@@ -146,6 +137,17 @@ std::vector<double> thinned(std::vector<double> const& values, std::size_t most)
   return means;
 }
 
+void add_curve_with_mean(Panel& panel, std::string const& name, std::vector<double> const& time,
+                         std::vector<double> const& values, cg::Estimate const& mean, int colour) {
+  panel.series.push_back({.label = plain(name),
+                          .x = thinned(time, most_points),
+                          .y = thinned(values, most_points),
+                          .y_error = {},
+                          .style = SeriesStyle::lines,
+                          .colour = colour});
+  add_mean(panel, name, mean, time, colour + 1);
+}
+
 std::vector<Plot> time_series_plots(std::filesystem::path const& run_file, RunResult const& run) {
   OutputUnits const units(run.settings.units(), run.scene.units);
   auto const names = RunFile::column_names(units, run.settings.features());
@@ -172,13 +174,7 @@ std::vector<Plot> time_series_plots(std::filesystem::path const& run_file, RunRe
       if (values.empty())
         continue; // the method has no such quantity
       panel.y.label = quantities.size() > 1 ? axis_of("T" + key).label : axis.label;
-      panel.series.push_back({.label = plain(quantity),
-                              .x = thinned(time, most_points),
-                              .y = thinned(values, most_points),
-                              .y_error = {},
-                              .style = SeriesStyle::lines,
-                              .colour = colour});
-      add_mean(panel, quantity, cg::estimate_mean(values), time, colour + 1);
+      add_curve_with_mean(panel, quantity, time, values, cg::estimate_mean(values), colour);
       colour += 2;
     }
     if (!panel.series.empty())

@@ -15,6 +15,15 @@ AxisOfColumn axis_of(std::string const& column);
 /// At most `most` means of neighbouring values, in their order.
 std::vector<double> thinned(std::vector<double> const& values, std::size_t most);
 
+std::vector<double> scaled(std::vector<double> values, double factor);
+
+/// A name for drawings: the letters and digits of a text.
+std::string drawing_name(std::string text);
+
+/// A series against time in one colour, and its mean as dashes with its error as a band in the next.
+void add_curve_with_mean(Panel& panel, std::string const& name, std::vector<double> const& time,
+                         std::vector<double> const& values, cg::Estimate const& mean, int colour);
+
 /// The series of a run's file against time, each with its mean ± standard error over the run: the
 /// temperatures, the pressure and the mean density.
 std::vector<Plot> time_series_plots(std::filesystem::path const& run_file, RunResult const& run);

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/summary.hpp"
 
@@ -9,6 +10,16 @@ void put_rejections(Json& json, std::string const& name, sdpd::PairCounts const&
   double const proposed = static_cast<double>(std::max<std::uint64_t>(counts.proposed, 1));
   json[name + "_out_of_domain"] = static_cast<double>(counts.out_of_domain) / proposed;
   json[name + "_metropolis"] = static_cast<double>(counts.metropolis) / proposed;
+}
+
+/// The means of the measurements that the scene asks for.
+void put_measured(Json& json, RunFile const& file, Scene const& scene, OutputUnits const& units) {
+  for (auto const& one : measured_components(file.store(), scene, units)) {
+    auto const key = columns_of(one.of, units)[one.component];
+    if (json.contains(key))
+      throw std::logic_error("a measurement has the name of another result: " + key);
+    put(json, key, one.mean());
+  }
 }
 
 } // namespace
@@ -57,6 +68,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     if (auto const mean = file.mean(energy + units.energy_key); mean && !features.densities)
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
+  put_measured(json, file, scene, units);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

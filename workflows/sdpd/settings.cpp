@@ -107,6 +107,16 @@ OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
 
 std::pair<double, std::string> OutputUnits::of(Dimension dimension) const {
   switch (dimension) {
+  case Dimension::number:
+    return {1, ""};
+  case Dimension::time:
+    return {time, time_key};
+  case Dimension::length:
+    return {length, length_key};
+  case Dimension::velocity:
+    return {velocity, velocity_key};
+  case Dimension::momentum:
+    return {momentum, momentum_key};
   case Dimension::energy:
     return {energy, energy_key};
   case Dimension::density:
@@ -118,7 +128,7 @@ std::pair<double, std::string> OutputUnits::of(Dimension dimension) const {
   case Dimension::pressure:
     return {pressure, pressure_key};
   default:
-    throw std::logic_error("no field of the particles has this dimension");
+    throw std::logic_error("nothing that a run writes has this dimension");
   }
 }
 

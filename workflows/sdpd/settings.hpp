@@ -47,7 +47,7 @@ struct OutputUnits {
 
   OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system);
 
-  /// Of a field of the particles: the factor, and the end of its key.
+  /// Of a field of the particles or a measurement: the factor, and the end of its key.
   std::pair<double, std::string> of(Dimension dimension) const;
 };
 

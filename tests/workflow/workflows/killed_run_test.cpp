@@ -33,7 +33,7 @@ std::vector<std::string> words(std::filesystem::path const& directory, bool resu
   for (char const* set :
        {"particles.N=343", "particles.density=plain", "run.equilibrate=64", "run.steps=2500",
         "run.sample_every=5", "run.trajectory_every=20", "run.vtkhdf_every=20", "run.xyz_every=100",
-        "profile.every=20", "histogram.every=50", "run.checkpoint_every=100"})
+        "profile.every=20", "histogram.every=50", "series.every=25", "run.checkpoint_every=100"})
     result.insert(result.end(), {"--set", set});
   if (resume)
     result.push_back("--resume");
@@ -83,6 +83,8 @@ void kill_and_compare(int wanted, unsigned seed) {
                                          "profile/velocity_m_s",
                                          "profile/time_s",
                                          "histogram/eps_J/counts",
+                                         "series/time_s",
+                                         "series/compression_response",
                                          "histogram/rho_kg_m3/edges"},
       frames{"particles/all/position/value", "particles/all/velocity/value", "particles/all/position/step",
              "particles/all/velocity/time", "particles/all/box/edges/value"},

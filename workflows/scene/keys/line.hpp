@@ -20,6 +20,9 @@ struct Line {
   Line of() && {
     return key.methods = {std::string(Methods::name)...}, std::move(*this);
   }
+  Line written_if(std::function<bool(Scene const&)> condition) && {
+    return key.written = std::move(condition), std::move(*this);
+  }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
   Line in(NumberRange range) && { return key.range = range, std::move(*this); }

@@ -1,8 +1,35 @@
+#include "sdpd/observe/list.hpp"
 #include "workflows/scene/keys/line.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include "workflows/scene/quantities.hpp"
+#include <fmt/ranges.h>
 
 namespace mesobridge::workflows {
+namespace {
+
+bool asks_for_series(Scene const& scene) {
+  return scene.series != Scene::Series{};
+}
+
+/// "name (what it is; components; passes over all pairs)" for each measurement that may be asked for.
+std::string series_text() {
+  std::vector<std::string> texts;
+  for (auto const& measured : sdpd::measurements()) {
+    if (measured.in_every_run())
+      continue;
+    std::vector<std::string> parts{std::string(measured.meaning)};
+    if (measured.components.size() > 1)
+      parts.push_back(fmt::format("{} components", measured.components.size()));
+    if (measured.pair_passes > 0)
+      parts.push_back(measured.pair_passes == 1 ? "costs a pass over all pairs"
+                                                : fmt::format("costs {} passes", measured.pair_passes));
+    texts.push_back(fmt::format("{} ({})", measured.name, fmt::join(parts, "; ")));
+  }
+  return fmt::format("of the whole fluid, beside what every sample holds: {}. []: all that the method has",
+                     fmt::join(texts, ", "));
+}
+
+} // namespace
 
 std::vector<SceneKey> observe_keys() {
   return {
@@ -42,6 +69,16 @@ std::vector<SceneKey> observe_keys() {
           "histogram", "quantities", [](Scene& s) { return &s.histogram.quantities; },
           "of the particles: eps and T (not dpd), rho and P (sdpd). []: all that the method has")
           .choices(names_of(histogram_quantities())),
+      Line(
+          "series", "every", [](Scene& s) { return &s.series.every; },
+          "steps between measurements of the quantities, under `series` of run.h5, with means in summary and "
+          "report; 0: none")
+          .in(not_negative)
+          .written_if(asks_for_series),
+      Line(
+          "series", "quantities", [](Scene& s) { return &s.series.quantities; }, series_text())
+          .choices(names_of(series_quantities()))
+          .written_if(asks_for_series),
   };
 }
 

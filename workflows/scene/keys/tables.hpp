@@ -13,7 +13,7 @@ std::vector<SceneKey> potential_keys();
 std::vector<SceneKey> transport_keys();
 std::vector<SceneKey> scheme_keys();
 std::vector<SceneKey> run_keys();
-std::vector<SceneKey> observe_keys(); ///< profile, histogram
+std::vector<SceneKey> observe_keys(); ///< profile, histogram, series
 std::vector<SceneKey> output_keys();
 
 /// The parameters of all pair potentials, each name once.

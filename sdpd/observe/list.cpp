@@ -1,0 +1,22 @@
+#include "sdpd/observe/list.hpp"
+
+namespace mesobridge::sdpd {
+
+// Each in a file of this folder.
+std::vector<Measurement> observed_sums();
+Measurement mean_neighbours();
+Measurement compression_response();
+Measurement pressure_tensor();
+
+std::vector<Measurement> const& measurements() {
+  static auto const all = [] {
+    auto list = observed_sums();
+    list.push_back(mean_neighbours());
+    list.push_back(compression_response());
+    list.push_back(pressure_tensor());
+    return list;
+  }();
+  return all;
+}
+
+} // namespace mesobridge::sdpd
