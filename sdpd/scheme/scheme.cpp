@@ -3,6 +3,7 @@
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/fluctuation/conduction.hpp"
 #include "sdpd/scheme/list.hpp"
+#include "sdpd/system/conservation.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
 #include "sdpd/system/total_energy.hpp"
 
@@ -108,9 +109,14 @@ std::vector<SubStep> sub_steps(Scheme const& scheme, System const& system, doubl
 }
 
 void step(System& system, std::span<SubStep const> sub_steps) {
+#ifdef NDEBUG
+  constexpr bool checks = false;
+#else
+  constexpr bool checks = true;
+#endif
   for (auto const& part : sub_steps)
     if (part.turn.comes(system.step))
-      part.run(system);
+      checks ? run_and_check(part, system) : part.run(system);
   ++system.step;
 }
 

@@ -32,8 +32,9 @@ void check(Scheme const& scheme, Features const& particles, bool noise);
 /// constant entropies, and fluctuation and dissipation when it is their turn. The scheme has been checked.
 std::vector<SubStep> sub_steps(Scheme const& scheme, System const& system, double dt);
 
-/// Makes those of the sub-steps whose turn it is. Before and after it, eps, S, T, P and f belong to the
-/// positions. Throws PhysicsError when a particle leaves the equation of state.
+/// Makes those of the sub-steps whose turn it is; in builds without NDEBUG each is checked for what it
+/// conserves (run_and_check). Before and after it, eps, S, T, P and f belong to the positions. Throws
+/// PhysicsError when a particle leaves the equation of state.
 void step(System& system, std::span<SubStep const> sub_steps);
 
 /// One step of a scheme, made a list of for this alone.
