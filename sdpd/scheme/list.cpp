@@ -15,6 +15,7 @@ PairIntegrator entropy_integrator();
 
 ConservativeIntegrator verlet_integrator();
 ConservativeIntegrator two_stage_integrator();
+ConservativeIntegrator position_verlet_integrator();
 ConservativeIntegrator no_integrator();
 
 std::vector<PairIntegrator> const& pair_integrators() {
@@ -29,6 +30,7 @@ std::vector<ConservativeIntegrator> const& conservative_integrators() {
   static std::vector const list{
       verlet_integrator(),
       two_stage_integrator(),
+      position_verlet_integrator(),
       no_integrator(),
   };
   return list;
