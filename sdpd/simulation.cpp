@@ -9,7 +9,7 @@
 namespace mesobridge::sdpd {
 Simulation::Simulation(SimulationSettings const& settings)
     : has_noise_(settings.noise), bath_rate_(settings.bath_rate), units_(settings.units()), dt_(settings.dt),
-      scheme_(settings.scheme), system_(make_system(settings)) {}
+      system_(make_system(settings)), sub_steps_(sdpd::sub_steps(settings.scheme, *system_, settings.dt)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -17,7 +17,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
   for (std::uint64_t k = 0; k < steps; ++k)
-    sdpd::step(*system_, scheme_, dt_);
+    sdpd::step(*system_, sub_steps_);
 }
 std::uint64_t Simulation::step() const {
   return system_->step;

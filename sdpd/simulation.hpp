@@ -77,8 +77,8 @@ class Simulation {
   double bath_rate_;
   ReducedUnits units_;
   double dt_;
-  Scheme scheme_;
   std::unique_ptr<System> system_;
+  std::vector<SubStep> sub_steps_;
 };
 
 } // namespace mesobridge::sdpd

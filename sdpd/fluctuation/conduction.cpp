@@ -22,27 +22,13 @@ struct Conduction {
   }
 };
 
-/// How the pairs' heat is treated by a scheme whose friction is not pair after pair.
-PairScheme of_conduction(PairScheme scheme) {
-  switch (scheme) {
-  case PairScheme::ser:
-  case PairScheme::hybrid:
-  case PairScheme::entropy:
-    return PairScheme::ssa;
-  case PairScheme::ser_implicit:
-    return PairScheme::ams;
-  default:
-    return scheme;
-  }
-}
-
 } // namespace
 
 void conduct(System& system, PairScheme scheme, double dt, bool second) {
   std::visit(
       [&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, std::monostate>)
-          sweep_pairs<Conduction>(system, of_conduction(scheme),
+          sweep_pairs<Conduction>(system, scheme,
                                   Sweep<Law>{law, dt, SweepNoise::of_conduction(system, second)},
                                   system.conduction_counts);
       },

@@ -9,13 +9,9 @@ namespace mesobridge::sdpd {
 /// temperatures that the pair has then; pairs of a matching, which share no particle, in lanes. What one
 /// particle gains the other loses, so that energy is conserved to round-off; momenta and densities stay.
 ///
-///   ssa            every step is made (ser, hybrid, entropy too). Throws PhysicsError when an energy leaves
-///                  the equation of state.
-///
-///   ams            a step that would lead an energy out of the equation of state is not made (ser_implicit
-///                  too).
-///
-///   ems            that, and a Metropolis test which makes the invariant measure exact at any dt.
+///   ssa  every step is made. Throws PhysicsError when an energy leaves the equation of state.
+///   ams  a step that would lead an energy out of the equation of state is not made.
+///   ems  that, and a Metropolis test which makes the invariant measure exact at any dt.
 ///
 /// With the heat delta = mean + s G, and mean', s' those of the step back from the proposed energies, ems
 /// accepts with the probability min(1, e^a), where

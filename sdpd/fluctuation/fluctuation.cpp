@@ -1,8 +1,5 @@
 #include "sdpd/fluctuation/fluctuation.hpp"
 #include "sdpd/fluctuation/exact_pair.hpp"
-#include "sdpd/fluctuation/fluctuation_entropy.hpp"
-#include "sdpd/fluctuation/fluctuation_hybrid.hpp"
-#include "sdpd/fluctuation/fluctuation_implicit.hpp"
 #include "sdpd/fluctuation/fluctuation_isothermal.hpp"
 #include "sdpd/fluctuation/fluctuation_strip.hpp"
 #include "sdpd/fluctuation/pair_scheme.hpp"
@@ -53,14 +50,6 @@ void fluctuate(System& system, Law const& law, PairScheme scheme, double dt, boo
 } // namespace
 
 void fluctuate(System& system, PairScheme scheme, double dt, bool second) {
-  if (scheme == PairScheme::ser_implicit)
-    return fluctuate_implicit(system, dt, second);
-  if (scheme == PairScheme::entropy)
-    return fluctuate_entropies(system, dt, second);
-  if (scheme == PairScheme::hybrid)
-    return fluctuate_hybrid(system, dt, second);
-  if (scheme == PairScheme::ser)
-    return fluctuate_ser(system, dt, second);
   std::visit([&](auto const& law) { fluctuate(system, law, scheme, dt, second); }, system.law);
 }
 

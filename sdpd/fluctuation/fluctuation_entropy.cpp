@@ -1,5 +1,6 @@
 #include "sdpd/fluctuation/fluctuation_entropy.hpp"
 #include "sdpd/conservative/conservative.hpp"
+#include "sdpd/fluctuation/pair_integrator.hpp"
 #include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
 
@@ -51,10 +52,8 @@ void add_steps(System& system, SdpdLaw const& law, double dt, bool second, std::
   auto const pairs = system.neighbours.pairs(number);
   block.copy_in(system, number);
   prepare_pairs(system, law, block, pairs, SweepNoise::of_fluctuation(system, second).pairs, diagonal);
-  prepare_pairs(
-      system, law, block, pairs,
-      NoiseSource(system.seed, second ? Stream::second_off_diagonal : Stream::off_diagonal, system.step),
-      off);
+  prepare_pairs(system, law, block, pairs,
+                NoiseSource(system.seed, off_diagonal_noise.of(second), system.step), off);
   thread_local std::vector<Gain> sums;
   sums.assign(block.size(), {});
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -100,6 +99,16 @@ void fluctuate_entropies(System& system, double dt, bool second) {
       particles.p[i] += system.impulse[i], particles.S[i] += entropy_gain[i];
   });
   thermodynamics_from_entropy(system);
+}
+
+PairIntegrator entropy_integrator() {
+  return {.name = "entropy",
+          .summary = "the original form of SDPD, which heats unless steps are tiny",
+          .sweep = fluctuate_entropies,
+          .conserves = {Conserved::positions, Conserved::momentum},
+          .noise = {fluctuation_noise, off_diagonal_noise},
+          .short_steps_only = true,
+          .needs = {.densities = "it is the original form of SDPD and serves no other method"}};
 }
 
 } // namespace mesobridge::sdpd

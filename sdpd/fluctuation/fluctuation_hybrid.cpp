@@ -1,6 +1,7 @@
 #include "sdpd/fluctuation/fluctuation_hybrid.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_integrator.hpp"
 #include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/system/selected_pairs.hpp"
 
@@ -32,6 +33,13 @@ void fluctuate_hybrid(System& system, double dt, bool second) {
     thermodynamics_from_energy(system);
   SelectedPairs const shared(system, [&](Index i, Index j) { return domain[i] != domain[j]; });
   fluctuate_ser(system, dt, second);
+}
+
+PairIntegrator hybrid_integrator() {
+  return {.name = "hybrid",
+          .summary = "ssa within eight domains and ser between them",
+          .sweep = fluctuate_hybrid,
+          .short_steps_only = true};
 }
 
 } // namespace mesobridge::sdpd

@@ -1,4 +1,5 @@
 #include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/fluctuation/pair_integrator.hpp"
 #include "sdpd/fluctuation/pair_lanes.hpp"
 #include "sdpd/fluctuation/scaled_velocity.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
@@ -175,6 +176,13 @@ void fluctuate_ser(System& system, Law const& law, double dt, bool second) {
 
 void fluctuate_ser(System& system, double dt, bool second) {
   std::visit([&](auto const& law) { fluctuate_ser(system, law, dt, second); }, system.law);
+}
+
+PairIntegrator ser_integrator() {
+  return {.name = "ser",
+          .summary = "all pairs at once, for short time steps",
+          .sweep = fluctuate_ser,
+          .short_steps_only = true};
 }
 
 } // namespace mesobridge::sdpd

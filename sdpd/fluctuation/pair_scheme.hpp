@@ -1,7 +1,11 @@
 #pragma once
 namespace mesobridge::sdpd {
 
-/// How the pairs' fluctuation and dissipation is integrated: see fluctuate().
-enum class PairScheme { ssa, ams, ems, ser, ser_implicit, hybrid, entropy };
+/// What pairs that are worked on one after the other do with a step.
+enum class PairScheme {
+  ssa, ///< make it
+  ams, ///< not when it would lead an internal energy out of the equation of state
+  ems  ///< that, and put it to a Metropolis test, which makes the invariant measure exact at any dt
+};
 
 } // namespace mesobridge::sdpd

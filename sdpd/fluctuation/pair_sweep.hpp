@@ -162,11 +162,6 @@ void sweep_pairs(System& system, PairScheme scheme, Sweep<Law> const& sweep, Pai
     return sweep_pairs<Exchange, PairScheme::ams>(system, sweep, total);
   case PairScheme::ems:
     return sweep_pairs<Exchange, PairScheme::ems>(system, sweep, total);
-  case PairScheme::ser:
-  case PairScheme::ser_implicit:
-  case PairScheme::hybrid:
-  case PairScheme::entropy:
-    throw std::logic_error("this scheme does not go pair after pair");
   }
 }
 

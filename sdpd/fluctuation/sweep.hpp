@@ -23,13 +23,11 @@ struct SweepNoise {
 
   /// Of the first or the second sweep of fluctuation and dissipation in a step.
   static SweepNoise of_fluctuation(System const& system, bool second) {
-    return second ? SweepNoise(system, Stream::second_fluctuation, Stream::second_acceptance)
-                  : SweepNoise(system, Stream::fluctuation, Stream::acceptance);
+    return {system, fluctuation_noise.of(second), acceptance_noise.of(second)};
   }
   /// Of heat conduction.
   static SweepNoise of_conduction(System const& system, bool second) {
-    return second ? SweepNoise(system, Stream::second_conduction, Stream::second_conduction_acceptance)
-                  : SweepNoise(system, Stream::conduction, Stream::conduction_acceptance);
+    return {system, conduction_noise.of(second), conduction_acceptance_noise.of(second)};
   }
 };
 

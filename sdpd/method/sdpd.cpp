@@ -86,8 +86,6 @@ void Sdpd::check(SimulationSettings const& at) const {
   make_kernel(kernel, h_factor);
   friction_of(*this, units(at));
   require(not_negative.contains(kappa), "thermal conductivity kappa", kappa, not_negative.demand());
-  if (!at.noise && at.scheme.pairs == PairScheme::ems)
-    throw InputError("scheme ems without noise: there is nothing to put to a Metropolis test; take ssa");
 }
 
 MethodParts Sdpd::parts(SimulationSettings const& at) const {

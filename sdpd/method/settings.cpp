@@ -54,10 +54,6 @@ double skin_of(SimulationSettings const& s) {
   return s.skin > 0 ? s.skin : std::visit([&](auto const& of) { return of.usual_skin(s); }, s.method);
 }
 
-bool refuses_steps(PairScheme scheme) {
-  return scheme == PairScheme::ams || scheme == PairScheme::ems;
-}
-
 namespace {
 
 template <class AnySpecies>
@@ -71,25 +67,6 @@ void check_species(std::vector<AnySpecies> const& species) {
     sum += of.share;
   }
   require(species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
-}
-
-void check_method(SimulationSettings const& s) {
-  std::visit(
-      [&](auto const& method) {
-        method.check(s);
-        check_species(method.species);
-        bool const energies = method.features.energies;
-        require(energies || !refuses_steps(s.scheme.pairs), "scheme", "ams or ems",
-                fmt::format("{} has no internal energies, so there is no step to reject: take ssa or ser",
-                            method.title));
-        require(method.features.densities || s.scheme.pairs != PairScheme::entropy, "scheme", "entropy",
-                "is the original form of SDPD and serves no other method: take ssa or ser");
-        require(energies || s.scheme.pairs != PairScheme::ser_implicit, "scheme", "ser-implicit",
-                fmt::format("{} has no internal energies, which it needs: take ssa or ser", method.title));
-        require(energies || !s.scheme.keep_energy, "energy", "kept",
-                fmt::format("{} has no internal energies that could give or take energy", method.title));
-      },
-      s.method);
 }
 
 /// The momenta of a single particle cannot have a temperature and no sum.
@@ -133,14 +110,18 @@ void check(SimulationSettings const& s) {
   require(positive.contains(s.dt), "time step dt", s.dt, positive.demand() + " (reduced units)");
   require(not_negative.contains(s.skin), "skin", s.skin, not_negative.demand());
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
-  require(s.scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",
-          s.scheme.verlet_steps, "must be >= 1");
   require(s.disorders.contains(s.disorder), "disorder", s.disorder,
           s.disorders.demand() + " lattice spacings");
   check_lattice(s);
   require(not_negative.contains(s.bath_rate), "rate of the bath", s.bath_rate, not_negative.demand());
   require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
-  check_method(s);
+  check(s.scheme, s.features(), s.noise);
+  std::visit(
+      [&](auto const& method) {
+        method.check(s);
+        check_species(method.species);
+      },
+      s.method);
   check_units(s);
   require_cells(box_of(s), s.range() + skin_of(s));
 }

@@ -46,9 +46,6 @@ struct SimulationSettings {
   bool conducts() const;     ///< whether particles exchange heat beside their friction
 };
 
-/// Whether steps of pairs may be refused for what they do to internal energies.
-bool refuses_steps(PairScheme scheme);
-
 /// Throws InputError that names the quantity that is out of bounds.
 void check(SimulationSettings const& settings);
 

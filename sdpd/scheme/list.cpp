@@ -1,9 +1,41 @@
 #include "sdpd/scheme/list.hpp"
 #include "md/error.hpp"
-#include "sdpd/fluctuation/pair_scheme.hpp"
 #include <fmt/ranges.h>
 
 namespace mesobridge::sdpd {
+
+// Each integrator is a file of its room; it is declared here and nowhere else.
+PairIntegrator ssa_integrator();
+PairIntegrator ams_integrator();
+PairIntegrator ems_integrator();
+PairIntegrator ser_integrator();
+PairIntegrator implicit_integrator();
+PairIntegrator hybrid_integrator();
+PairIntegrator entropy_integrator();
+
+ConservativeIntegrator verlet_integrator();
+ConservativeIntegrator two_stage_integrator();
+ConservativeIntegrator position_verlet_integrator();
+ConservativeIntegrator no_integrator();
+
+std::vector<PairIntegrator> const& pair_integrators() {
+  static std::vector const list{
+      ssa_integrator(),      ams_integrator(),    ems_integrator(),     ser_integrator(),
+      implicit_integrator(), hybrid_integrator(), entropy_integrator(),
+  };
+  return list;
+}
+
+std::vector<ConservativeIntegrator> const& conservative_integrators() {
+  static std::vector const list{
+      verlet_integrator(),
+      two_stage_integrator(),
+      position_verlet_integrator(),
+      no_integrator(),
+  };
+  return list;
+}
+
 namespace {
 
 template <class Named>
@@ -22,44 +54,44 @@ Named const& find(std::vector<Named> const& list, std::string_view what, std::st
   throw InputError(fmt::format("{} = '{}': must be one of {}", what, name, fmt::join(names_of(list), ", ")));
 }
 
+/// What the integrator needs and there is not; empty where there is nothing of the kind.
+std::string missing(Needs const& needs, Features const& particles, bool noise) {
+  if (!noise && !needs.noise.empty())
+    return fmt::format("without noise {}", needs.noise);
+  if (!particles.energies && !needs.internal_energies.empty())
+    return fmt::format("the particles have no internal energies, so {}", needs.internal_energies);
+  if (!particles.densities && !needs.densities.empty())
+    return std::string(needs.densities);
+  return {};
+}
+
 } // namespace
 
-std::vector<NamedPairScheme> const& pair_schemes() {
-  static std::vector<NamedPairScheme> const list{
-      {"ssa", PairScheme::ssa, "every step of a pair is made"},
-      {"ams", PairScheme::ams, "not made when an energy would leave the equation of state"},
-      {"ems", PairScheme::ems, "put to a Metropolis test too, which makes it exact at any time step"},
-      {"ser", PairScheme::ser, "all pairs at once, for short time steps"},
-      {"ser-implicit", PairScheme::ser_implicit, "all pairs at once, implicitly"},
-      {"hybrid", PairScheme::hybrid, "ssa within eight domains and ser between them"},
-      {"entropy", PairScheme::entropy, "the original form of SDPD, which heats unless steps are tiny"},
-  };
-  return list;
+std::vector<std::string> pair_integrator_names() {
+  return names_of(pair_integrators());
 }
 
-std::vector<std::string> pair_scheme_names() {
-  return names_of(pair_schemes());
+PairIntegrator const& pair_integrator(std::string_view name) {
+  return find(pair_integrators(), "scheme", name);
 }
 
-PairScheme pair_scheme(std::string_view name) {
-  return find(pair_schemes(), "scheme", name).scheme;
-}
-
-std::vector<NamedConservative> const& conservative_integrators() {
-  static std::vector<NamedConservative> const list{
-      {"verlet", Conservative::verlet, "one evaluation of the forces a step"},
-      {"two-stage", Conservative::two_stage, "two evaluations, a far smaller energy error"},
-      {"none", Conservative::none, "particles stay in place, fluctuation and dissipation alone"},
-  };
-  return list;
+std::optional<std::string> refusal(PairIntegrator const& of, Features const& particles, bool noise) {
+  auto const why = missing(of.needs, particles, noise);
+  if (why.empty())
+    return std::nullopt;
+  std::vector<std::string> others;
+  for (auto const& other : pair_integrators())
+    if (missing(other.needs, particles, noise).empty())
+      others.push_back(other.name);
+  return fmt::format("{}: take one of {}", why, fmt::join(others, ", "));
 }
 
 std::vector<std::string> conservative_names() {
   return names_of(conservative_integrators());
 }
 
-Conservative conservative_integrator(std::string_view name) {
-  return find(conservative_integrators(), "conservative", name).integrator;
+ConservativeIntegrator const& conservative_integrator(std::string_view name) {
+  return find(conservative_integrators(), "conservative", name);
 }
 
 } // namespace mesobridge::sdpd

@@ -1,39 +1,29 @@
 #pragma once
-#include "sdpd/fluctuation/pair_scheme.hpp"
-#include "sdpd/scheme/scheme.hpp"
-#include <string>
-#include <string_view>
-#include <vector>
+#include "sdpd/conservative/integrator.hpp"
+#include "sdpd/fluctuation/pair_integrator.hpp"
+#include <optional>
 
 namespace mesobridge::sdpd {
 
-/// A way to integrate fluctuation and dissipation, by its name in scenes and options.
-struct NamedPairScheme {
-  std::string name;
-  PairScheme scheme;
-  std::string summary; ///< what it does with a pair, a few words
-};
+/// Every way to integrate fluctuation and dissipation: scenes, options and studies take their names from
+/// here.
+std::vector<PairIntegrator> const& pair_integrators();
 
-/// Every pair scheme: scenes, options and studies take their names from here.
-std::vector<NamedPairScheme> const& pair_schemes();
-
-std::vector<std::string> pair_scheme_names();
+std::vector<std::string> pair_integrator_names();
 
 /// Throws InputError that lists the names.
-PairScheme pair_scheme(std::string_view name);
+PairIntegrator const& pair_integrator(std::string_view name);
 
-/// An integrator of the conservative forces by its name.
-struct NamedConservative {
-  std::string name;
-  Conservative integrator;
-  std::string summary;
-};
+/// Why the integrator cannot be used for such particles, with or without noise, and what to take in its
+/// place; nothing where it can.
+std::optional<std::string> refusal(PairIntegrator const& of, Features const& particles, bool noise = true);
 
-std::vector<NamedConservative> const& conservative_integrators();
+/// Every integrator of the conservative forces.
+std::vector<ConservativeIntegrator> const& conservative_integrators();
 
 std::vector<std::string> conservative_names();
 
 /// Throws InputError that lists the names.
-Conservative conservative_integrator(std::string_view name);
+ConservativeIntegrator const& conservative_integrator(std::string_view name);
 
 } // namespace mesobridge::sdpd

@@ -1,61 +1,48 @@
 #include "sdpd/scheme/scheme.hpp"
+#include "md/error.hpp"
 #include "sdpd/conservative/conservative.hpp"
-#include "sdpd/conservative/pair_forces.hpp"
 #include "sdpd/fluctuation/conduction.hpp"
-#include "sdpd/fluctuation/fluctuation.hpp"
+#include "sdpd/scheme/list.hpp"
+#include "sdpd/system/conservation.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
 #include "sdpd/system/total_energy.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// The forces at new positions: by densities at constant entropies (SDPD), or from the pair potential.
-void follow_positions(System& system) {
-  if (!system.has_densities())
-    return find_pair_forces(system);
-  find_pairs_and_densities(system);
-  thermodynamics_from_entropy(system);
-  find_forces(system);
+using enum Conserved;
+
+SubStep temperatures() {
+  return {.name = "temperatures and pressures at the new energies",
+          .conserves = {positions, momenta, internal_energies},
+          .run = thermodynamics_from_energy};
 }
 
-/// Temperatures, and the forces that depend on them, at new internal energies.
-void follow_energies(System& system) {
-  if (system.has_energies())
-    thermodynamics_from_energy(system);
-  if (system.has_densities())
-    find_forces(system);
+SubStep forces_of_pressures() {
+  return {.name = "forces at the new pressures",
+          .conserves = {positions, momenta, internal_energies, entropies},
+          .run = find_forces};
 }
 
-/// Kicks and moves the particles and finds the forces of their new places, at constant entropies.
-void kick_and_move(System& system, double kick_dt, double dt) {
-  kick_and_drift(system, kick_dt, dt);
-  refresh_lists(system);
-  follow_positions(system);
+std::vector<Stream> streams(std::vector<SweepStream> const& noise, bool second) {
+  std::vector<Stream> of_sweep;
+  for (auto const& one : noise)
+    of_sweep.push_back(one.of(second));
+  return of_sweep;
 }
 
-void verlet_step(System& system, double dt) {
-  kick_and_move(system, dt / 2, dt);
-  kick(system, dt / 2);
+SubStep fluctuation(PairIntegrator const& pairs, double dt, bool second) {
+  return {.name = "fluctuation and dissipation: " + pairs.name,
+          .conserves = pairs.conserves,
+          .noise = streams(pairs.noise, second),
+          .run = [=, sweep = pairs.sweep](System& system) { sweep(system, dt, second); }};
 }
 
-/// McLachlan's integrator (sdpd/README.md, Eq. (S29)), of two stages and the least error among such ones.
-/// Symplectic and time-reversible, as Verlet is.
-void two_stage_step(System& system, double dt) {
-  constexpr double outer = 0.1931833275037836;
-  kick_and_move(system, outer * dt, dt / 2);
-  kick_and_move(system, (1 - 2 * outer) * dt, dt / 2);
-  kick(system, outer * dt);
-}
-
-void conservative_step(System& system, Conservative conservative, double dt) {
-  switch (conservative) {
-  case Conservative::verlet:
-    return verlet_step(system, dt);
-  case Conservative::two_stage:
-    return two_stage_step(system, dt);
-  case Conservative::none:
-    return;
-  }
+SubStep conduction(PairIntegrator const& pairs, double dt, bool second) {
+  return {.name = "heat conduction",
+          .conserves = {positions, momenta, internal_energy},
+          .noise = streams({conduction_noise, conduction_acceptance_noise}, second),
+          .run = [=, of_heat = pairs.of_heat](System& system) { conduct(system, of_heat, dt, second); }};
 }
 
 /// Brings the total energy back to what it was, with one factor for all particles' temperatures (Eq. (S30)),
@@ -71,35 +58,71 @@ void restore_energy(System& system) {
   });
 }
 
+SubStep energy_restoration() {
+  return {.name = "the kept energy restored", .conserves = {positions, momenta}, .run = restore_energy};
+}
+
 /// Fluctuation and dissipation, then conduction; the other way round in the second half of a symmetric step.
-void fluctuation_step(System& system, Scheme const& scheme, double dt, bool second) {
-  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction);
-  if (conducts && second) {
-    conduct(system, scheme.pairs, dt, second);
-    thermodynamics_from_energy(system);
-  }
-  fluctuate(system, scheme.pairs, dt, second);
-  if (conducts && !second) {
-    thermodynamics_from_energy(system);
-    conduct(system, scheme.pairs, dt, second);
+std::vector<SubStep> exchange(Scheme const& scheme, System const& system, double dt, bool second) {
+  auto const& pairs = pair_integrator(scheme.pairs);
+  std::vector<SubStep> steps{fluctuation(pairs, dt, second)};
+  if (!std::holds_alternative<std::monostate>(system.conduction)) {
+    steps = {fluctuation(pairs, dt, second), temperatures(), conduction(pairs, dt, second)};
+    if (second)
+      std::ranges::reverse(steps);
   }
   if (scheme.keep_energy)
-    restore_energy(system);
-  follow_energies(system);
+    steps.push_back(energy_restoration());
+  if (system.has_energies())
+    steps.push_back(temperatures());
+  if (system.has_densities())
+    steps.push_back(forces_of_pressures());
+  return steps;
 }
 
 } // namespace
 
+void check(Scheme const& scheme, Features const& particles, bool noise) {
+  require(scheme.verlet_steps >= 1, "Verlet steps for one of fluctuation and dissipation",
+          scheme.verlet_steps, "must be >= 1");
+  conservative_integrator(scheme.conservative);
+  auto const why = refusal(pair_integrator(scheme.pairs), particles, noise);
+  require(!why, "scheme", scheme.pairs, why.value_or(""));
+  require(particles.energies || !scheme.keep_energy, "energy", "kept",
+          "the particles have no internal energies that could give or take energy");
+}
+
+std::vector<SubStep> sub_steps(Scheme const& scheme, System const& system, double dt) {
+  auto const n = scheme.verlet_steps;
+  bool const strang = scheme.splitting == Splitting::strang;
+  double const exchange_dt = n * dt * (strang ? 0.5 : 1);
+  std::vector<SubStep> list;
+  auto add = [&](std::vector<SubStep> steps, Turn turn) {
+    for (auto& one : steps)
+      one.turn = turn, list.push_back(std::move(one));
+  };
+  if (strang)
+    add(exchange(scheme, system, exchange_dt, false), {.every = n, .at = 0});
+  add(conservative_integrator(scheme.conservative).steps(dt), {});
+  add(exchange(scheme, system, exchange_dt, strang), {.every = n, .at = n - 1});
+  return list;
+}
+
+void step(System& system, std::span<SubStep const> sub_steps) {
+#ifdef NDEBUG
+  constexpr bool checks = false;
+#else
+  constexpr bool checks = true;
+#endif
+  for (auto const& part : sub_steps)
+    if (part.turn.comes(system.step))
+      checks ? run_and_check(part, system) : part.run(system);
+  ++system.step;
+}
+
 void step(System& system, Scheme const& scheme, double dt) {
   system.dt = dt;
-  bool const strang = scheme.splitting == Splitting::strang;
-  double const sweep_dt = scheme.verlet_steps * dt * (strang ? 0.5 : 1);
-  if (strang && system.step % scheme.verlet_steps == 0)
-    fluctuation_step(system, scheme, sweep_dt, false);
-  conservative_step(system, scheme.conservative, dt);
-  if ((system.step + 1) % scheme.verlet_steps == 0)
-    fluctuation_step(system, scheme, sweep_dt, strang);
-  ++system.step;
+  step(system, sub_steps(scheme, system, dt));
 }
 
 } // namespace mesobridge::sdpd

@@ -3,6 +3,7 @@
 #include "md/processor_clock.hpp"
 #include "sdpd/observe/energy_walk.hpp"
 #include "sdpd/observe/runaway.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include <algorithm>
 #include <cmath>
@@ -153,8 +154,9 @@ class TrialRun {
 
   Drift walk(std::span<double const> times, std::span<double const> energies) const {
     bool const conserved = !settings_.features().energies || settings_.scheme.keep_energy ||
-                           settings_.scheme.conservative == Conservative::none;
-    if (conserved || settings_.scheme.pairs == PairScheme::ser || !enough_for_energy_walk(times, walk_lag))
+                           !conservative_integrator(settings_.scheme.conservative).moves();
+    if (conserved || pair_integrator(settings_.scheme.pairs).short_steps_only ||
+        !enough_for_energy_walk(times, walk_lag))
       return {};
     return drift_from_energy_walk(times, energies, walk_lag, 1 / settings_.K(), 1);
   }
@@ -190,7 +192,7 @@ Checkpoint equilibrated_start(SimulationSettings settings, double dt, double tim
                               std::function<bool()> const& keep_going) {
   settings.dt = dt;
   bool const exact = settings.noise && settings.features().energies;
-  settings.scheme = {.pairs = exact ? PairScheme::ems : PairScheme::ssa};
+  settings.scheme = {.pairs = exact ? "ems" : "ssa"};
   Simulation simulation(settings);
   equilibrate(simulation, static_cast<std::uint64_t>(std::ceil(time / dt)), keep_going);
   return simulation.checkpoint();

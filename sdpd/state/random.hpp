@@ -47,6 +47,18 @@ enum class Stream : std::uint32_t {
   species = 14 ///< which particles are of which
 };
 
+/// The streams of one noise: of the first sweep of a step and of the second, if there is one.
+struct SweepStream {
+  Stream first, second;
+
+  constexpr Stream of(bool second_sweep) const { return second_sweep ? second : first; }
+};
+inline constexpr SweepStream fluctuation_noise{Stream::fluctuation, Stream::second_fluctuation},
+    acceptance_noise{Stream::acceptance, Stream::second_acceptance},
+    conduction_noise{Stream::conduction, Stream::second_conduction},
+    conduction_acceptance_noise{Stream::conduction_acceptance, Stream::second_conduction_acceptance},
+    off_diagonal_noise{Stream::off_diagonal, Stream::second_off_diagonal};
+
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.
 struct NoiseSource {
   Philox4x32::Key key;

@@ -23,7 +23,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::
   return {.method = std::move(method),
           .lattice = {options.side, options.side, options.side},
           .disorder = 0.15,
-          .scheme = {.pairs = sdpd::pair_scheme(options.scheme), .verlet_steps = options.fluctuate_every},
+          .scheme = {.pairs = options.scheme, .verlet_steps = options.fluctuate_every},
           .threads = threads};
 }
 
@@ -109,7 +109,7 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::Range(5.0, 200.0))
       ->capture_default_str();
   app.add_option("--scheme", options.scheme, "time-stepping scheme")
-      ->check(CLI::IsMember(sdpd::pair_scheme_names()))
+      ->check(CLI::IsMember(sdpd::pair_integrator_names()))
       ->capture_default_str();
   app.add_option("--fluctuate-every", options.fluctuate_every,
                  "conservative steps for one of fluctuation and dissipation")

@@ -41,9 +41,10 @@ TradeOffPlan completed(TradeOffPlan plan, Scene const& scene) {
 }
 
 void check_plan(TradeOffPlan const& plan, Scene const& scene) {
+  auto const settings = settings_of(scene, 1);
   for (auto const& name : plan.schemes)
-    require(scene.features().energies || !sdpd::refuses_steps(sdpd::pair_scheme(name)), "--schemes", name,
-            "DPD has no internal energies, so there is no step to reject");
+    if (auto const why = sdpd::refusal(sdpd::pair_integrator(name), settings.features(), settings.noise))
+      throw InputError(fmt::format("--schemes = {}: {}", name, *why));
   for (auto const& name : plan.integrators)
     sdpd::conservative_integrator(name);
   for (auto const& name : plan.splittings)

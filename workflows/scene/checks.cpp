@@ -2,6 +2,7 @@
 #include "fitting/eos/list.hpp"
 #include "md/error.hpp"
 #include "sdpd/method/list.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
@@ -121,9 +122,6 @@ namespace {
 void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
-  require_together(scene.scheme.noise == "on" || scene.scheme.name != "ems", places, "scheme.noise",
-                   scene.scheme.noise,
-                   "must be \"on\" with scheme.name = \"ems\": a Metropolis test needs it");
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
@@ -133,6 +131,15 @@ void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const
 template <std::derived_from<sdpd::PairFluid> Method>
 void check_keys(std::type_identity<Method>, Scene const& scene, Places const& places) {
   check_pair_fluid(scene, places);
+}
+
+void check_scheme(Scene const& scene, Places const& places) {
+  auto const& scheme = scene.scheme;
+  auto const particles = scene.features();
+  auto const why = sdpd::refusal(sdpd::pair_integrator(scheme.name), particles, scheme.noise == "on");
+  require_together(!why, places, "scheme.name", scheme.name, why.value_or(""));
+  require_together(particles.energies || scheme.energy == "free", places, "scheme.energy", scheme.energy,
+                   "the particles have no internal energies that could give or take energy");
 }
 
 /// The quantities that the scene names must be its method's, and there must be some.
@@ -165,6 +172,7 @@ void check_schedules(Scene const& scene, Places const& places) {
 
 void check_together(Scene const& scene, Places const& places) {
   sdpd::for_method(scene.method.name, [&](auto type) { check_keys(type, scene, places); });
+  check_scheme(scene, places);
   check_wish(scene, places);
   check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs

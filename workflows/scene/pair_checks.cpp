@@ -1,7 +1,6 @@
 #include "workflows/scene/pair_checks.hpp"
 #include "md/error.hpp"
 #include "sdpd/method/settings.hpp"
-#include "sdpd/scheme/list.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include <algorithm>
 
@@ -95,16 +94,6 @@ void check_pair_fluid(Scene const& scene, Places const& places) {
   check_friction(scene, places);
   check_conduction(scene, places);
   check_internal_energy(scene, places);
-  auto refuse_without_energies = [&](bool given, std::string const& key, std::string const& value,
-                                     std::string const& why) {
-    if (auto const& method = sdpd::method_named(scene.method.name); given && !method.features.energies)
-      throw InputError(fmt::format("{}: {} = \"{}\": {} has no internal energies{}", places.of(key), key,
-                                   value, method.title, why));
-  };
-  refuse_without_energies(sdpd::refuses_steps(sdpd::pair_scheme(scene.scheme.name)), "scheme.name",
-                          scene.scheme.name, ", so there is no step to reject: take \"ssa\" or \"ser\"");
-  refuse_without_energies(scene.scheme.energy == "kept", "scheme.energy", "kept",
-                          " that could give or take energy");
 }
 
 void resolve_pair_files(Scene& scene, std::filesystem::path const& folder, Places const& places) {

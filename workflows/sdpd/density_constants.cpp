@@ -1,5 +1,6 @@
 #include "workflows/sdpd/density_constants.hpp"
 #include "md/error.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
@@ -16,7 +17,8 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   auto const& density = scene.particles.density;
   if (density.starts_with("calibrated"))
     return density == "calibrated" ? sdpd::ScaleCondition::pressure : sdpd::ScaleCondition::response;
-  if (density != "auto" || scene.scheme.noise == "off" || scene.scheme.conservative == "none")
+  if (density != "auto" || scene.scheme.noise == "off" ||
+      !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
   return sdpd::suitable_condition(settings_of(scene, 1));
 }

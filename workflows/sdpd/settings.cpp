@@ -1,6 +1,5 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
-#include "sdpd/scheme/list.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/sdpd/method_of.hpp"
 #include "workflows/text_file.hpp"
@@ -45,10 +44,10 @@ std::array<std::uint32_t, 3> lattice_of(std::int64_t N) {
 
 sdpd::Scheme scheme_of(Scene const& scene) {
   auto const& of = scene.scheme;
-  return {.pairs = sdpd::pair_scheme(of.name),
+  return {.pairs = of.name,
           .verlet_steps = static_cast<std::uint32_t>(of.fluctuate_every),
           .splitting = of.splitting == "strang" ? sdpd::Splitting::strang : sdpd::Splitting::lie_trotter,
-          .conservative = sdpd::conservative_integrator(of.conservative),
+          .conservative = of.conservative,
           .keep_energy = of.energy == "kept"};
 }
 

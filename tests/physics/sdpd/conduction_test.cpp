@@ -202,7 +202,7 @@ TEST(ConductionOfDpde, HasTheExactLawOfTheEnergies) {
 // The same with everything on, by whole steps; and both temperatures agree.
 TEST_P(ConductionOfSmallParticles, LeavesTheEquilibriumOfTheWholeDynamicsAlone) {
   auto settings = with_conduction(ideal_gas(GetParam().K, 0.1), 2);
-  settings.scheme = {.pairs = PairScheme::ems, .keep_energy = true};
+  settings.scheme = {.pairs = "ems", .keep_energy = true};
   Simulation simulation(settings);
   equilibrate(simulation, 500, [] { return true; });
   std::vector<double> energies, T_kin, T_int;

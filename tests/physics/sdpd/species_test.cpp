@@ -2,8 +2,8 @@
 #include "cg/kolmogorov_smirnov.hpp"
 #include "pair_fluid_fixtures.hpp"
 #include "sdpd/conservative/conservative.hpp"
-#include "sdpd/fluctuation/fluctuation.hpp"
 #include "sdpd/make_system.hpp"
+#include "sdpd/scheme/list.hpp"
 #include "sdpd/system/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
@@ -30,10 +30,11 @@ std::vector<Sampled> sample(SimulationSettings settings, std::size_t species, in
     thermodynamics_from_energy(*system);
   }
   auto const& particles = system->particles;
+  auto const sweep = pair_integrator(settings.scheme.pairs).sweep;
   std::vector<Sampled> sampled(species);
   for (int k = -20; k < instants; ++k) {
     for (int s = 0; s < between; ++s, ++system->step) {
-      fluctuate(*system, settings.scheme.pairs, settings.dt);
+      sweep(*system, settings.dt, false);
       if (system->has_energies())
         thermodynamics_from_energy(*system);
     }
@@ -76,7 +77,7 @@ void expect_gamma(Sampled const& of, double shape) {
 TEST(SpeciesInEquilibrium, OfTwoMassesAndHeatCapacitiesInDpdeHaveTheExactLaws) {
   auto settings = dpde_ideal(8, 0.5, 2);
   settings.lattice = {10, 10, 10};
-  settings.scheme.pairs = PairScheme::ems;
+  settings.scheme.pairs = "ems";
   settings.rho = 3 * 2.6; // as many particles as in the standard fluid of the mass 1
   DpdeSpecies const light{"light", 0.6, 1, fitting::ConstantHeatCapacity(8)},
       heavy{"heavy", 0.4, 5, fitting::ConstantHeatCapacity(30)};
@@ -92,7 +93,7 @@ TEST(SpeciesInEquilibrium, OfTwoMassesAndHeatCapacitiesInDpdeHaveTheExactLaws) {
 // (S19)).
 TEST(SpeciesInEquilibrium, OfTwoSizesInSdpdHaveTheExactLaws) {
   auto settings = ideal_gas(10, 0.5);
-  settings.scheme.pairs = PairScheme::ems;
+  settings.scheme.pairs = "ems";
   auto& fluid = settings.as<Sdpd>();
   fluid.species = {{"small", 0.6, 10, fluid.eos}, {"large", 0.4, 40, fluid.eos}};
   auto const sampled = sample(settings, 2, 100, 20);

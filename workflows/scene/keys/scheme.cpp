@@ -9,7 +9,7 @@ namespace {
 
 std::string pair_scheme_summaries() {
   std::vector<std::string> words;
-  for (auto const& scheme : sdpd::pair_schemes())
+  for (auto const& scheme : sdpd::pair_integrators())
     words.push_back(scheme.name + ": " + scheme.summary);
   return fmt::format("{}", fmt::join(words, "; "));
 }
@@ -28,7 +28,7 @@ std::vector<SceneKey> scheme_keys() {
       Line(
           "scheme", "name", [](Scene& s) { return &s.scheme.name; },
           "what is done with the fluctuation and dissipation of a pair: " + pair_scheme_summaries())
-          .choices(sdpd::pair_scheme_names()),
+          .choices(sdpd::pair_integrator_names()),
       Line(
           "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
           "time step. A plain number is in the reduced unit of time: for sdpd (m/rho)^(1/3) (m_0/k_B "

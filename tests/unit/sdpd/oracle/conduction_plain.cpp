@@ -37,8 +37,6 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
 } // namespace
 
 void conduct_plain(System& system, PairScheme scheme, double dt, bool second) {
-  if (scheme != PairScheme::ssa && scheme != PairScheme::ams && scheme != PairScheme::ems)
-    throw std::logic_error("this scheme does not go pair after pair");
   std::visit(
       [&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, std::monostate>) {

@@ -3,7 +3,6 @@
 #include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "unit/sdpd/oracle/plain.hpp"
-#include <stdexcept>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -59,8 +58,6 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
 } // namespace
 
 void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second) {
-  if (scheme == PairScheme::ser)
-    throw std::logic_error("SER does not go pair after pair");
   std::visit(
       [&]<class Law>(Law const& law) {
         Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
