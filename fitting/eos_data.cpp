@@ -1,6 +1,7 @@
 #include "fitting/eos_data.hpp"
 #include "md/error.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gsl/gsl_statistics_double.h>
 
@@ -82,25 +83,9 @@ double spread(std::vector<Observation> const& data, Quantity quantity) {
 } // namespace
 
 std::string_view symbol(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::rho:
-    return "rho";
-  case Quantity::T:
-    return "T";
-  case Quantity::e:
-    return "e";
-  case Quantity::P:
-    return "P";
-  case Quantity::c_v:
-    return "c_v";
-  case Quantity::sound_speed:
-    return "sound_speed";
-  case Quantity::v_P:
-    return "v_P";
-  case Quantity::v_S:
-    return "v_S";
-  }
-  throw std::logic_error("a quantity without symbol");
+  constexpr std::array<std::string_view, 8> in_order{"rho", "T",           "e",   "P",
+                                                     "c_v", "sound_speed", "v_P", "v_S"};
+  return in_order.at(static_cast<std::size_t>(quantity));
 }
 
 void add_systematic_errors(std::vector<Observation>& data, double fraction) {

@@ -73,11 +73,7 @@ InternalEnergyModel read_model(toml::table const& whole, std::string const& file
   if (unit != "K" && unit != "reduced")
     file.refuse(*whole.get("temperature_unit"), "temperature_unit", "must be \"K\" or \"reduced\"");
   InternalEnergyModel model{read_body(file, whole), unit == "reduced", {}, {}};
-  if (file.has("data_hash"))
-    model.data_hash = file.text("data_hash");
-  if (file.has("provenance"))
-    for (auto& [key, value] : file.table("provenance").texts())
-      model.provenance.emplace(key, value);
+  read_origin(file, model);
   file.refuse_unknown();
   return model;
 }
@@ -88,26 +84,14 @@ std::string to_toml(InternalEnergyModel const& model) {
   auto const [name, table] = std::visit([](auto const& of) { return kind_of(of); }, model.internal_energy);
   std::string text = fmt::format("format = \"{}\"\nkind = \"{}\"\ntemperature_unit = \"{}\"\n", format_name,
                                  name, model.reduced ? "reduced" : "K");
-  if (!model.data_hash.empty())
-    text += "data_hash = " + quoted(model.data_hash) + "\n";
+  text += data_hash_text(model.data_hash);
   text += fmt::format("\n[{}]\n", table);
   text += std::visit([](auto const& of) { return body(of); }, model.internal_energy);
-  if (!model.provenance.empty())
-    text += "\n[provenance]\n";
-  for (auto const& [key, value] : model.provenance)
-    text += quoted(key) + " = " + quoted(value) + "\n";
-  return text;
+  return text + provenance_text(model.provenance);
 }
 
 InternalEnergyModel parse_internal_energy(std::string_view text, std::string const& file_name) {
-  auto const table = parse_toml(text, file_name);
-  try {
-    return read_model(table, file_name);
-  } catch (InputError const& error) {
-    // The models' own checks do not know the file.
-    std::string const what = error.what();
-    throw InputError(what.starts_with(file_name) ? what : fmt::format("{}: {}", file_name, what));
-  }
+  return read_toml(text, file_name, read_model);
 }
 
 } // namespace mesobridge::fitting

@@ -213,11 +213,7 @@ EosModel read_model(toml::table const& table, std::string const& file_name) {
     if (file.has("valid"))
       model.valid = read_valid(file.table("valid"), reduced);
   }
-  if (file.has("data_hash"))
-    model.data_hash = file.text("data_hash");
-  if (file.has("provenance"))
-    for (auto& [key, value] : file.table("provenance").texts())
-      model.provenance.emplace(key, value);
+  read_origin(file, model);
   file.refuse_unknown();
   return model;
 }
@@ -237,29 +233,17 @@ EosModel model_of(LjBwrFit const& fit, std::optional<LjUnits> units, std::string
 
 std::string to_toml(EosModel const& model) {
   std::string text = fmt::format("format = \"{}\"\n", format_name);
-  if (!model.data_hash.empty())
-    text += "data_hash = " + quoted(model.data_hash) + "\n";
+  text += data_hash_text(model.data_hash);
   text += std::visit([](auto const& eos) { return body(eos); }, model.eos);
   if (model.valid)
     text += valid_text(*model.valid, has_reduced_range(model.eos));
   if (model.covariance_factor)
     text += covariance_text(*model.covariance_factor, model.fitted);
-  if (!model.provenance.empty())
-    text += "\n[provenance]\n";
-  for (auto const& [key, value] : model.provenance)
-    text += quoted(key) + " = " + quoted(value) + "\n";
-  return text;
+  return text + provenance_text(model.provenance);
 }
 
 EosModel parse_model(std::string_view text, std::string const& file_name) {
-  auto const table = parse_toml(text, file_name);
-  try {
-    return read_model(table, file_name);
-  } catch (InputError const& error) {
-    // The models' own checks do not know the file.
-    std::string const what = error.what();
-    throw InputError(what.starts_with(file_name) ? what : fmt::format("{}: {}", file_name, what));
-  }
+  return read_toml(text, file_name, read_model);
 }
 
 namespace {

@@ -37,7 +37,30 @@ class TomlReader {
   std::vector<std::string> known_;
 };
 
+/// The keys that model files of every kind may have: `data_hash`, and the texts of the table [provenance].
+template <class Model>
+void read_origin(TomlReader& file, Model& model) {
+  if (file.has("data_hash"))
+    model.data_hash = file.text("data_hash");
+  if (file.has("provenance"))
+    for (auto& [key, value] : file.table("provenance").texts())
+      model.provenance.emplace(key, value);
+}
+
 /// Throws InputError with file and line when the text is no TOML, or nested too deep (see refuse_deep_toml).
 toml::table parse_toml(std::string_view text, std::string const& file);
+
+/// What `read` makes of a file's table. An InputError of the models' own checks, which do not know the file,
+/// gets its name.
+template <class Read>
+auto read_toml(std::string_view text, std::string const& file, Read const& read) {
+  auto const table = parse_toml(text, file);
+  try {
+    return read(table, file);
+  } catch (InputError const& error) {
+    std::string const what = error.what();
+    throw InputError(what.starts_with(file) ? what : fmt::format("{}: {}", file, what));
+  }
+}
 
 } // namespace mesobridge::fitting

@@ -23,4 +23,15 @@ std::string array(std::span<double const> values) {
   return text + "\n]";
 }
 
+std::string data_hash_text(std::string const& hash) {
+  return hash.empty() ? "" : "data_hash = " + quoted(hash) + "\n";
+}
+
+std::string provenance_text(std::map<std::string, std::string> const& provenance) {
+  std::string text = provenance.empty() ? "" : "\n[provenance]\n";
+  for (auto const& [key, value] : provenance)
+    text += quoted(key) + " = " + quoted(value) + "\n";
+  return text;
+}
+
 } // namespace mesobridge::fitting

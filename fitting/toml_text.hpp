@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <span>
 #include <string>
 
@@ -10,5 +11,9 @@ std::string exact(double x);
 std::string quoted(std::string const& text);
 /// An array, four numbers a line.
 std::string array(std::span<double const> values);
+/// The key `data_hash`; nothing for an empty one.
+std::string data_hash_text(std::string const& hash);
+/// The table [provenance]; nothing for an empty one.
+std::string provenance_text(std::map<std::string, std::string> const& provenance);
 
 } // namespace mesobridge::fitting

@@ -33,4 +33,13 @@ void write_summary(std::filesystem::path const& file, Json const& value) {
   write_text_file(file, checked_dump(value) + "\n");
 }
 
+Result with_report(std::filesystem::path const& folder, Json summary, std::string const& html) {
+  write_summary(folder / "summary.json", summary);
+  auto const report = folder / "report.html";
+  write_text_file(report, html);
+  Result result{.json = std::move(summary), .text = report.string(), .complaint = {}};
+  result.json["report"] = report.string();
+  return result;
+}
+
 } // namespace mesobridge::workflows

@@ -13,4 +13,7 @@ std::string checked_dump(Json const& value);
 /// Writes a JSON file (through a temporary file, renamed at the end). Throws PhysicsError, EnvironmentError.
 void write_summary(std::filesystem::path const& file, Json const& value);
 
+/// Writes summary.json and report.html into the folder. The result is the summary and the path of the report.
+Result with_report(std::filesystem::path const& folder, Json summary, std::string const& html);
+
 } // namespace mesobridge::workflows

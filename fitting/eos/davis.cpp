@@ -33,22 +33,16 @@ Description<DavisParameters> const& Davis::description() {
 }
 
 Davis::Davis(DavisParameters const& p)
-    : p_(checked<Davis>(p)), e_c_(p.p_c * p.v_c / (p.k - 1 + p.a)),
+    : DescribedEos(p), e_c_(p.p_c * p.v_c / (p.k - 1 + p.a)),
       log_T_c_(std::log(e_c_ / p.c_v) - p.a * p.b / p.n * std::log(2.0)) {
   double const dense = p.k - 1 + 2 * p.a * (1 - p.b);
   require(dense > 0, "Davis Gamma at high density, k - 1 + 2a (1 - b),", dense, "must be > 0");
 }
 
-Domain Davis::domain() const {
-  double const infinity = std::numeric_limits<double>::infinity();
-  return {.rho_min = 0,
-          .rho_max = infinity,
-          .T_min = 0,
-          .T_max = infinity,
-          .edge = fmt::format(
-              "energies at or below that of T = 0 are refused; in expansion the products become an "
-              "ideal gas of exponent {:.6g}",
-              p_.k)};
+std::string Davis::edge() const {
+  return fmt::format("energies at or below that of T = 0 are refused; in expansion the products become an "
+                     "ideal gas of exponent {:.6g}",
+                     p_.k);
 }
 
 } // namespace mesobridge::fitting

@@ -1,6 +1,5 @@
 #pragma once
-#include "fitting/eos/description.hpp"
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/described_eos.hpp"
 
 namespace mesobridge::fitting {
 
@@ -32,14 +31,13 @@ inline constexpr DavisParameters pbx_9502_products_parameters{.a = 0.798311,
 ///   e_s = e_c M^(a/n) V^-(k-1+a),  p_s = rho e_s (k - 1 + F),  F = 2a V^-n/(V^n + V^-n),
 ///   Gamma = k - 1 + (1 - b) F,  T_s = T_c M^((1-b)a/n) V^-(k-1+(1-b)a),
 ///   e_c = p_c v_c/(k - 1 + a),  T_c = 2^(-ab/n) e_c/c_v: thin products are an ideal gas, whose e is c_v T.
-class Davis : public LinearEos<Davis> {
+class Davis : public DescribedEos<Davis, DavisParameters> {
  public:
-  using Parameters = DavisParameters;
   static constexpr std::string_view name = "Davis";
   static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
-  explicit Davis(DavisParameters const& parameters);
+  explicit Davis(Parameters const& parameters);
 
   template <class X>
   LinearLaw<X> law(X rho) const {
@@ -64,15 +62,9 @@ class Davis : public LinearEos<Davis> {
             .phi = phi};
   }
 
-  double c_v() const { return p_.c_v; }
-  double rho_max() const { return std::numeric_limits<double>::infinity(); }
-  double molecular_mass() const { return p_.m0; }
-  double boltzmann() const { return k_B; }
-  DavisParameters const& parameters() const { return p_; }
-  Domain domain() const;
+  std::string edge() const;
 
  private:
-  DavisParameters p_;
   double e_c_, log_T_c_;
 };
 

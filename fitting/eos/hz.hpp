@@ -1,6 +1,5 @@
 #pragma once
-#include "fitting/eos/description.hpp"
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/described_eos.hpp"
 
 namespace mesobridge::fitting {
 
@@ -32,14 +31,13 @@ inline constexpr HzParameters nitromethane_parameters{.Gamma_0 = 1,
 ///   E_ref = (c_0^2/2) x^2/(1 - s x) * {1 + s x/3 - s (Gamma_0 - s) x^2/6 for x >= 0; 1 for x < 0},
 ///   T_00 = P_0/(Gamma_0 rho_0 c_v).
 /// At rho_0 the third derivative of E_ref jumps; P and its first derivatives are continuous.
-class Hz : public LinearEos<Hz> {
+class Hz : public DescribedEos<Hz, HzParameters> {
  public:
-  using Parameters = HzParameters;
   static constexpr std::string_view name = "HZ";
   static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
-  explicit Hz(HzParameters const& parameters);
+  explicit Hz(Parameters const& parameters);
 
   template <class X>
   LinearLaw<X> law(X rho) const {
@@ -62,18 +60,13 @@ class Hz : public LinearEos<Hz> {
             .phi = -p.Gamma_0 * v};
   }
 
-  double c_v() const { return p_.c_v; }
   /// rho_0 s/(s - 1): infinite pressure on the reference curve.
   double rho_max() const { return rho_max_; }
   /// Temperature of the reference curve at (T_0, P_0) below T_0 [K].
   double T_00() const { return p_.T_0 - theta_0_; }
-  double molecular_mass() const { return p_.m0; }
-  double boltzmann() const { return k_B; }
-  HzParameters const& parameters() const { return p_; }
-  Domain domain() const;
+  std::string edge() const;
 
  private:
-  HzParameters p_;
   double theta_0_; // T_0 - T_00
   double rho_max_;
 };

@@ -2,15 +2,6 @@
 #include "fitting/data_summary.hpp"
 
 namespace mesobridge::fitting {
-namespace {
-
-JwlParameters const& valid(JwlParameters const& p) {
-  require(checked<Jwl>(p).P_CJ < p.rho_0 * p.D_CJ * p.D_CJ, "JWL P_CJ", p.P_CJ,
-          "must lie between 0 and rho_0 D_CJ^2");
-  return p;
-}
-
-} // namespace
 
 /// (D_CJ, P_CJ, T_CJ) set two constants, K and C_ek: one of the three is redundant. A different P_CJ only
 /// names another state of the same Crussard curve, and at the true one, where the Rayleigh line touches that
@@ -50,8 +41,9 @@ Description<JwlParameters> const& Jwl::description() {
   return description;
 }
 
-Jwl::Jwl(JwlParameters const& parameters) : p_(valid(parameters)), log_rho_0_(std::log(p_.rho_0)) {
+Jwl::Jwl(JwlParameters const& parameters) : DescribedEos(parameters), log_rho_0_(std::log(p_.rho_0)) {
   double const impedance = p_.rho_0 * p_.D_CJ * p_.D_CJ;
+  require(p_.P_CJ < impedance, "JWL P_CJ", p_.P_CJ, "must lie between 0 and rho_0 D_CJ^2");
   rho_CJ_ = p_.rho_0 * impedance / (impedance - p_.P_CJ);
   double const v = p_.rho_0 / rho_CJ_, A = p_.a * std::exp(-p_.R_1 * v), B = p_.b * std::exp(-p_.R_2 * v);
   double const E_CJ = p_.E_0 + 0.5 * p_.P_CJ * (1 / p_.rho_0 - 1 / rho_CJ_);
@@ -60,18 +52,12 @@ Jwl::Jwl(JwlParameters const& parameters) : p_(valid(parameters)), log_rho_0_(st
   C_ek_ = E_CJ - (A / p_.R_1 + B / p_.R_2) / p_.rho_0 - rest / (rho_CJ_ * p_.Gamma_0);
 }
 
-Domain Jwl::domain() const {
-  double const infinity = std::numeric_limits<double>::infinity();
-  return {.rho_min = 0,
-          .rho_max = infinity,
-          .T_min = 0,
-          .T_max = infinity,
-          .edge = fmt::format(
-              "energies at or below the cold curve E_k(rho) are refused; K = {:.6g} Pa{}; in expansion the "
-              "products become an ideal gas",
-              K_,
-              K_ < 0 ? " < 0 makes cold products mechanically unstable (no sound speed), at high density too"
-                     : "")};
+std::string Jwl::edge() const {
+  return fmt::format(
+      "energies at or below the cold curve E_k(rho) are refused; K = {:.6g} Pa{}; in expansion the "
+      "products become an ideal gas",
+      K_,
+      K_ < 0 ? " < 0 makes cold products mechanically unstable (no sound speed), at high density too" : "");
 }
 
 } // namespace mesobridge::fitting

@@ -1,6 +1,5 @@
 #pragma once
-#include "fitting/eos/description.hpp"
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/described_eos.hpp"
 
 namespace mesobridge::fitting {
 
@@ -38,14 +37,13 @@ inline constexpr JwlParameters nitromethane_products_parameters{.Gamma_0 = 0.3,
 ///   P = P_k + Gamma_0 rho (e - E_k),  P_k = a exp(-R_1 v) + b exp(-R_2 v) + K v^-(Gamma_0+1),
 ///   E_k = [a exp(-R_1 v)/R_1 + b exp(-R_2 v)/R_2 + K v^-Gamma_0/Gamma_0]/rho_0 + C_ek.
 /// The logarithm of the density is of the number in kg/m^3.
-class Jwl : public LinearEos<Jwl> {
+class Jwl : public DescribedEos<Jwl, JwlParameters> {
  public:
-  using Parameters = JwlParameters;
   static constexpr std::string_view name = "JWL";
   static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
-  explicit Jwl(JwlParameters const& parameters);
+  explicit Jwl(Parameters const& parameters);
 
   template <class X>
   LinearLaw<X> law(X rho) const {
@@ -62,18 +60,12 @@ class Jwl : public LinearEos<Jwl> {
             .phi = p.Gamma_0 * log_rho};
   }
 
-  double c_v() const { return p_.c_v; }
-  double rho_max() const { return std::numeric_limits<double>::infinity(); }
   double rho_CJ() const { return rho_CJ_; }
   double K() const { return K_; }       ///< [Pa]
   double C_ek() const { return C_ek_; } ///< [J/kg]
-  double molecular_mass() const { return p_.m0; }
-  double boltzmann() const { return k_B; }
-  JwlParameters const& parameters() const { return p_; }
-  Domain domain() const;
+  std::string edge() const;
 
  private:
-  JwlParameters p_;
   double log_rho_0_, rho_CJ_, K_, C_ek_;
 };
 

@@ -37,21 +37,15 @@ Description<MieGruneisenParameters> const& MieGruneisen::description() {
 }
 
 MieGruneisen::MieGruneisen(MieGruneisenParameters const& p)
-    : p_(checked<MieGruneisen>(p)), log_Theta_ur_(std::log(p.Theta_0 * p.u_r)) {}
+    : DescribedEos(p), log_Theta_ur_(std::log(p.Theta_0 * p.u_r)) {}
 
-Domain MieGruneisen::domain() const {
-  double const infinity = std::numeric_limits<double>::infinity();
-  return {
-      .rho_min = 0,
-      .rho_max = infinity,
-      .T_min = 0,
-      .T_max = infinity,
-      .edge = fmt::format(
-          "energies at or below that of T = 0 are refused; in expansion the reference curve pulls with at "
-          "most {:.4g} Pa while Gamma grows like rho^-{:.4g}: beyond the isothermal spinodal, where P(rho) "
-          "at constant T has its minimum, P rises again and the model is neither liquid nor vapour; in "
-          "compression the reference pressure stays below {:.4g} Pa",
-          p_.K_s / (p_.N_s + 1), p_.q, p_.K_s * std::expm1(p_.N_s + 1) / (p_.N_s + 1))};
+std::string MieGruneisen::edge() const {
+  return fmt::format(
+      "energies at or below that of T = 0 are refused; in expansion the reference curve pulls with at "
+      "most {:.4g} Pa while Gamma grows like rho^-{:.4g}: beyond the isothermal spinodal, where P(rho) "
+      "at constant T has its minimum, P rises again and the model is neither liquid nor vapour; in "
+      "compression the reference pressure stays below {:.4g} Pa",
+      p_.K_s / (p_.N_s + 1), p_.q, p_.K_s * std::expm1(p_.N_s + 1) / (p_.N_s + 1));
 }
 
 } // namespace mesobridge::fitting

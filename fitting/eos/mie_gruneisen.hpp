@@ -1,6 +1,5 @@
 #pragma once
-#include "fitting/eos/description.hpp"
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/described_eos.hpp"
 
 namespace mesobridge::fitting {
 
@@ -39,14 +38,13 @@ inline constexpr MieGruneisenParameters tin_parameters{.Gamma_0 = 2.8,
 ///   E_k = (K_s/rho_s) [exp((N_s+1) y)/(N_s+1)^2 - y/(N_s+1)],
 ///   Gamma = Gamma_inf + (Gamma_0 - Gamma_inf)(rho_0/rho)^q,
 ///   Theta = Theta_0 (rho/rho_0)^Gamma_inf exp[(Gamma_0 - Gamma_inf)/q (1 - (rho_0/rho)^q)].
-class MieGruneisen : public LinearEos<MieGruneisen> {
+class MieGruneisen : public DescribedEos<MieGruneisen, MieGruneisenParameters> {
  public:
-  using Parameters = MieGruneisenParameters;
   static constexpr std::string_view name = "Mie-Gruneisen";
   static Description<Parameters> const& description();
 
   /// Throws InputError for a parameter out of its range.
-  explicit MieGruneisen(MieGruneisenParameters const& parameters);
+  explicit MieGruneisen(Parameters const& parameters);
 
   template <class X>
   LinearLaw<X> law(X rho) const {
@@ -66,15 +64,9 @@ class MieGruneisen : public LinearEos<MieGruneisen> {
             .phi = phi};
   }
 
-  double c_v() const { return p_.c_v; }
-  double rho_max() const { return std::numeric_limits<double>::infinity(); }
-  double molecular_mass() const { return p_.m0; }
-  double boltzmann() const { return k_B; }
-  MieGruneisenParameters const& parameters() const { return p_; }
-  Domain domain() const;
+  std::string edge() const;
 
  private:
-  MieGruneisenParameters p_;
   double log_Theta_ur_;
 };
 

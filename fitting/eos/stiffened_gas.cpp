@@ -31,19 +31,12 @@ Description<StiffenedGasParameters> const& StiffenedGas::description() {
   return description;
 }
 
-StiffenedGas::StiffenedGas(StiffenedGasParameters const& p) : p_(checked<StiffenedGas>(p)) {}
-
-Domain StiffenedGas::domain() const {
-  double const infinity = std::numeric_limits<double>::infinity();
-  return {.rho_min = 0,
-          .rho_max = rho_max(),
-          .T_min = 0,
-          .T_max = infinity,
-          .edge = fmt::format("energies at or below q + P_inf (1/rho - b) are refused; {}tension is possible "
-                              "down to -{:.6g} Pa, and c^2 > 0 everywhere",
-                              p_.b > 0 ? fmt::format("towards rho = {:.6g} the pressure diverges; ", 1 / p_.b)
-                                       : std::string(),
-                              p_.P_inf)};
+std::string StiffenedGas::edge() const {
+  return fmt::format("energies at or below q + P_inf (1/rho - b) are refused; {}tension is possible "
+                     "down to -{:.6g} Pa, and c^2 > 0 everywhere",
+                     p_.b > 0 ? fmt::format("towards rho = {:.6g} the pressure diverges; ", 1 / p_.b)
+                              : std::string(),
+                     p_.P_inf);
 }
 
 } // namespace mesobridge::fitting

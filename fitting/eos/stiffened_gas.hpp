@@ -1,6 +1,5 @@
 #pragma once
-#include "fitting/eos/description.hpp"
-#include "fitting/eos/linear_isochore.hpp"
+#include "fitting/eos/described_eos.hpp"
 
 namespace mesobridge::fitting {
 
@@ -24,14 +23,12 @@ inline constexpr StiffenedGasParameters water_parameters{
 ///   e = q + c_v T + P_inf (v - b),  P = (gamma - 1)(e - q)/(v - b) - gamma P_inf,
 ///   s = c_v [ln T + (gamma - 1) ln(v - b)],  c^2 = gamma v^2 (P + P_inf)/(v - b).
 /// The logarithms are of the numbers in K and m^3/kg.
-class StiffenedGas : public LinearEos<StiffenedGas> {
+class StiffenedGas : public DescribedEos<StiffenedGas, StiffenedGasParameters> {
  public:
-  using Parameters = StiffenedGasParameters;
   static constexpr std::string_view name = "stiffened gas";
   static Description<Parameters> const& description();
 
-  /// Throws InputError for a parameter out of its range.
-  explicit StiffenedGas(StiffenedGasParameters const& parameters);
+  using DescribedEos::DescribedEos;
 
   template <class X>
   LinearLaw<X> law(X rho) const {
@@ -46,15 +43,8 @@ class StiffenedGas : public LinearEos<StiffenedGas> {
             .phi = Gamma * log(rho / free)};
   }
 
-  double c_v() const { return p_.c_v; }
   double rho_max() const { return p_.b > 0 ? 1 / p_.b : std::numeric_limits<double>::infinity(); }
-  double molecular_mass() const { return p_.m0; }
-  double boltzmann() const { return k_B; }
-  StiffenedGasParameters const& parameters() const { return p_; }
-  Domain domain() const;
-
- private:
-  StiffenedGasParameters p_;
+  std::string edge() const;
 };
 
 static_assert(EquationOfState<StiffenedGas>);

@@ -110,48 +110,50 @@ Taylor<X, N> operator/(double a, Taylor<X, N> const& b) {
   return Taylor<X, N>(a) / b;
 }
 
+/// The series whose coefficients follow from those before: c_0 = first, c_k = next(c, k).
+template <int N, class X, class Next>
+Taylor<X, N> by_recursion(X const& first, Next const& next) {
+  Taylor<X, N> f;
+  f.c[0] = first;
+  for (int k = 1; k <= N; ++k)
+    f.c[k] = next(f.c, k);
+  return f;
+}
+
 /// From f' = a' f.
 template <class X, int N>
 Taylor<X, N> exp(Taylor<X, N> const& a) {
   using std::exp;
-  Taylor<X, N> f;
-  f.c[0] = exp(a.c[0]);
-  for (int k = 1; k <= N; ++k) {
+  return by_recursion<N>(X(exp(a.c[0])), [&](auto const& f, int k) {
+    X sum{};
     for (int j = 1; j <= k; ++j)
-      f.c[k] += a.c[j] * f.c[k - j] * double(j);
-    f.c[k] = f.c[k] * (1.0 / k);
-  }
-  return f;
+      sum += a.c[j] * f[k - j] * double(j);
+    return sum * (1.0 / k);
+  });
 }
 
 /// From a f' = a'.
 template <class X, int N>
 Taylor<X, N> log(Taylor<X, N> const& a) {
   using std::log;
-  Taylor<X, N> f;
-  f.c[0] = log(a.c[0]);
-  for (int k = 1; k <= N; ++k) {
+  return by_recursion<N>(X(log(a.c[0])), [&](auto const& f, int k) {
     X rest = a.c[k] * double(k);
     for (int j = 1; j < k; ++j)
-      rest = rest - f.c[j] * a.c[k - j] * double(j);
-    f.c[k] = rest / a.c[0] * (1.0 / k);
-  }
-  return f;
+      rest = rest - f[j] * a.c[k - j] * double(j);
+    return rest / a.c[0] * (1.0 / k);
+  });
 }
 
 /// From 2 f f' = a'.
 template <class X, int N>
 Taylor<X, N> sqrt(Taylor<X, N> const& a) {
   using std::sqrt;
-  Taylor<X, N> f;
-  f.c[0] = sqrt(a.c[0]);
-  for (int k = 1; k <= N; ++k) {
+  return by_recursion<N>(X(sqrt(a.c[0])), [&](auto const& f, int k) {
     X rest = a.c[k];
     for (int j = 1; j < k; ++j)
-      rest = rest - f.c[j] * f.c[k - j];
-    f.c[k] = rest / f.c[0] * 0.5;
-  }
-  return f;
+      rest = rest - f[j] * f[k - j];
+    return rest / f[0] * 0.5;
+  });
 }
 
 } // namespace mesobridge::fitting

@@ -2,9 +2,7 @@
 #include "sdpd/kernel/cubic.hpp"
 #include "sdpd/kernel/lucy.hpp"
 #include "sdpd/kernel/quintic.hpp"
-#include "sdpd/kernel/wendland_c2.hpp"
-#include "sdpd/kernel/wendland_c4.hpp"
-#include "sdpd/kernel/wendland_c6.hpp"
+#include "sdpd/kernel/wendland.hpp"
 #include <string>
 #include <string_view>
 #include <variant>

@@ -108,11 +108,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command bench_blobs_command() {
-  return {.name = "bench blobs",
-          .summary = "What measuring blobs costs beside the MD, in processor time on one core",
-          .example = "mesobridge bench blobs --molecules 500",
-          .declare = with_options(declare, run)};
+Command::Action bench_blobs_command(CLI::App& app) {
+  return with_options(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

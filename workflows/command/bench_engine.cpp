@@ -3,7 +3,7 @@
 #include "sdpd/simulation.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
-#include <CLI/CLI.hpp>
+#include "workflows/shared_options.hpp"
 #include <algorithm>
 #include <chrono>
 #include <numbers>
@@ -101,52 +101,27 @@ Result run(Options const& options, Context& context) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--method", options.method, "what is timed")
-      ->check(CLI::IsMember(sdpd::method_names()))
-      ->capture_default_str();
-  app.add_option("--neighbours", options.neighbours,
-                 "within the cut-off, for dpde and dpd; the kernel decides for sdpd")
-      ->check(CLI::Range(5.0, 200.0))
-      ->capture_default_str();
-  app.add_option("--scheme", options.scheme, "time-stepping scheme")
-      ->check(CLI::IsMember(sdpd::pair_integrator_names()))
-      ->capture_default_str();
-  app.add_option("--fluctuate-every", options.fluctuate_every,
-                 "conservative steps for one of fluctuation and dissipation")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--eos", options.eos, "equation of state")
-      ->check(CLI::IsMember({"ideal-gas", "argon"}))
-      ->capture_default_str();
-  app.add_option("--kernel", options.kernel, "smoothing kernel of sdpd")
-      ->check(CLI::IsMember(sdpd::kernel_names()))
-      ->capture_default_str();
-  app.add_option("--kappa", options.kappa,
-                 "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
-                 "units; 0: none")
-      ->check(CLI::Range(0.0, 1e3))
-      ->capture_default_str();
-  app.add_option("--side", options.side, "particles along an edge of the cubic box")
-      ->check(CLI::Range(6, 400))
-      ->capture_default_str();
-  app.add_option("--K", options.K, "size of a particle; for dpde its heat capacity in k_B")
-      ->check(CLI::Range(2.0, 1e9))
-      ->capture_default_str();
-  app.add_option("--steps", options.steps, "steps of one measurement")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_option("--repeats", options.repeats, "measurements, of which the median is given")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_choice(app, "--method", options.method, sdpd::method_names(), "what is timed");
+  add_bounded(app, "--neighbours", options.neighbours, 5.0, 200.0,
+              "within the cut-off, for dpde and dpd; the kernel decides for sdpd");
+  add_choice(app, "--scheme", options.scheme, sdpd::pair_integrator_names(), "time-stepping scheme");
+  add_bounded(app, "--fluctuate-every", options.fluctuate_every, 1, 1000,
+              "conservative steps for one of fluctuation and dissipation");
+  add_choice(app, "--eos", options.eos, {"ideal-gas", "argon"}, "equation of state");
+  add_choice(app, "--kernel", options.kernel, sdpd::kernel_names(), "smoothing kernel of sdpd");
+  add_bounded(app, "--kappa", options.kappa, 0.0, 1e3,
+              "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
+              "units; 0: none");
+  add_bounded(app, "--side", options.side, 6, 400, "particles along an edge of the cubic box");
+  add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
+  add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
+  add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");
 }
 
 } // namespace
 
-Command bench_engine_command() {
-  return {.name = "bench engine",
-          .summary = "Time the SDPD engine: microseconds per particle and step",
-          .example = "mesobridge bench engine --eos ideal-gas --threads 2 --json",
-          .declare = with_options(declare, run)};
+Command::Action bench_engine_command(CLI::App& app) {
+  return with_options(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

@@ -1,7 +1,7 @@
 #include "fitting/eos/array.hpp"
 #include "fitting/eos/list.hpp"
 #include "workflows/command/options.hpp"
-#include <CLI/CLI.hpp>
+#include "workflows/shared_options.hpp"
 #include <algorithm>
 #include <chrono>
 #include <random>
@@ -108,21 +108,14 @@ Result run(Options const& options, Context const& context) {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--model", options.model, "one name of `eos list` instead of all");
-  app.add_option("--states", options.states, "states of one array")
-      ->check(CLI::Range(1, 10000000))
-      ->capture_default_str();
-  app.add_option("--repeats", options.repeats, "measurements, of which the median is given")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_bounded(app, "--states", options.states, 1, 10000000, "states of one array");
+  add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");
 }
 
 } // namespace
 
-Command bench_eos_command() {
-  return {.name = "bench eos",
-          .summary = "Time the equations of state: nanoseconds per call, medians of repeats",
-          .example = "mesobridge bench eos --model tin --json",
-          .declare = with_options(declare, run)};
+Command::Action bench_eos_command(CLI::App& app) {
+  return with_options(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

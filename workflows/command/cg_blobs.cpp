@@ -250,11 +250,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command cg_blobs_command() {
-  return {.name = "cg blobs",
-          .summary = "Blobs (R, P, U, Phi) of a trajectory's molecules",
-          .example = "mesobridge cg blobs melt.lammpstrj --mapping star.toml -o out/blobs",
-          .declare = with_options(declare, blobs)};
+Command::Action cg_blobs_command(CLI::App& app) {
+  return with_options(app, declare, blobs);
 }
 
 } // namespace mesobridge::workflows

@@ -57,11 +57,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command cg_correlations_command() {
-  return {.name = "cg correlations",
-          .summary = "Test the key approximation: are R, P and U of the blobs independent?",
-          .example = "mesobridge cg correlations out/melt/blobs.h5",
-          .declare = with_options(declare, correlations)};
+Command::Action cg_correlations_command(CLI::App& app) {
+  return with_options(app, declare, correlations);
 }
 
 } // namespace mesobridge::workflows

@@ -55,11 +55,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command cg_entropy_command() {
-  return {.name = "cg entropy",
-          .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
-          .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",
-          .declare = with_options(declare, entropy)};
+Command::Action cg_entropy_command(CLI::App& app) {
+  return with_options(app, declare, entropy);
 }
 
 } // namespace mesobridge::workflows

@@ -48,11 +48,8 @@ void declare(CLI::App& app, std::filesystem::path& input) {
 
 } // namespace
 
-Command cg_state_grid_command() {
-  return {.name = "cg state-grid",
-          .summary = "Pressure, energy and heat capacity of each sampled state, with errors",
-          .example = "mesobridge cg state-grid out/lj/lj-grid.h5",
-          .declare = with_options(declare, state_grid)};
+Command::Action cg_state_grid_command(CLI::App& app) {
+  return with_options(app, declare, state_grid);
 }
 
 } // namespace mesobridge::workflows

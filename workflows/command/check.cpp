@@ -84,11 +84,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command check_command() {
-  return {.name = "check",
-          .summary = "Validate a scene, print it as resolved and estimate its cost; runs nothing",
-          .example = "mesobridge check workflows/scenes/argon-1000K.toml --set particles.K=1000",
-          .declare = with_options(declare, check)};
+Command::Action check_command(CLI::App& app) {
+  return with_options(app, declare, check);
 }
 
 } // namespace mesobridge::workflows

@@ -97,11 +97,8 @@ Result doctor(Context&) {
 
 } // namespace
 
-Command doctor_command() {
-  return {.name = "doctor",
-          .summary = "What is installed, what is missing and how to get it",
-          .example = "mesobridge doctor",
-          .declare = [](CLI::App&) { return doctor; }};
+Command::Action doctor_command(CLI::App&) {
+  return doctor;
 }
 
 } // namespace mesobridge::workflows

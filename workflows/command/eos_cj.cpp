@@ -64,14 +64,8 @@ void declare(CLI::App& app, DetonationOptions& options) {
 
 } // namespace
 
-Command eos_cj_command() {
-  return {
-      .name = "eos cj",
-      .summary = "The Chapman-Jouguet detonation: velocity and state of the products",
-      .example =
-          "mesobridge eos cj --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 "
-          "--q 4.716e6",
-      .declare = with_options(declare, chapman_jouguet)};
+Command::Action eos_cj_command(CLI::App& app) {
+  return with_options(app, declare, chapman_jouguet);
 }
 
 } // namespace mesobridge::workflows

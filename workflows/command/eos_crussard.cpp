@@ -101,13 +101,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_crussard_command() {
-  return {.name = "eos crussard",
-          .summary = "Detonation states of an explosive's products (-o FILE.csv, .svg or .html)",
-          .example =
-              "mesobridge eos crussard --reactant nitromethane --product nitromethane-products --rho0 1104 "
-              "--T0 300 --q 4.716e6 --P-max 3e10 -o crussard.svg",
-          .declare = with_options(declare, crussard)};
+Command::Action eos_crussard_command(CLI::App& app) {
+  return with_options(app, declare, crussard);
 }
 
 } // namespace mesobridge::workflows

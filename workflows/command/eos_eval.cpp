@@ -82,11 +82,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_eval_command() {
-  return {.name = "eos eval",
-          .summary = "Every thermodynamic quantity of a model at one state",
-          .example = "mesobridge eos eval --model argon --rho 1150 --T 1000",
-          .declare = with_options(declare, eval)};
+Command::Action eos_eval_command(CLI::App& app) {
+  return with_options(app, declare, eval);
 }
 
 } // namespace mesobridge::workflows

@@ -71,11 +71,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_hugoniot_command() {
-  return {.name = "eos hugoniot",
-          .summary = "The state behind a shock, and the Hugoniot curve (-o FILE.csv, .svg or .html)",
-          .example = "mesobridge eos hugoniot --model argon --rho0 1150 --T0 500 --vp 500",
-          .declare = with_options(declare, hugoniot)};
+Command::Action eos_hugoniot_command(CLI::App& app) {
+  return with_options(app, declare, hugoniot);
 }
 
 } // namespace mesobridge::workflows

@@ -89,11 +89,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_isentrope_command() {
-  return {.name = "eos isentrope",
-          .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
-          .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
-          .declare = with_options(declare, isentrope)};
+Command::Action eos_isentrope_command(CLI::App& app) {
+  return with_options(app, declare, isentrope);
 }
 
 } // namespace mesobridge::workflows

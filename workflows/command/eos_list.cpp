@@ -37,11 +37,8 @@ Result list(Context&) {
 
 } // namespace
 
-Command eos_list_command() {
-  return {.name = "eos list",
-          .summary = "The equations of state that need no file",
-          .example = "mesobridge eos list",
-          .declare = [](CLI::App&) -> Command::Action { return list; }};
+Command::Action eos_list_command(CLI::App&) {
+  return list;
 }
 
 } // namespace mesobridge::workflows

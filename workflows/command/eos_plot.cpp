@@ -121,14 +121,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_plot_command() {
-  return {
-      .name = "eos plot",
-      .summary = "Isotherms, Hugoniot curve and isentrope of one or several models in one drawing",
-      .example =
-          "mesobridge eos plot --model argon --T 300 1000 --rho0 1150 --T0 500 --rho-min 800 --rho-max 1700 "
-          "-o argon.svg",
-      .declare = with_options(declare, plot)};
+Command::Action eos_plot_command(CLI::App& app) {
+  return with_options(app, declare, plot);
 }
 
 } // namespace mesobridge::workflows

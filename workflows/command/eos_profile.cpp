@@ -81,12 +81,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_profile_command() {
-  return {.name = "eos profile",
-          .summary = "The front of a shock by the Navier-Stokes equations (-o FILE.csv, .svg or .html)",
-          .example =
-              "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
-          .declare = with_options(declare, profile)};
+Command::Action eos_profile_command(CLI::App& app) {
+  return with_options(app, declare, profile);
 }
 
 } // namespace mesobridge::workflows

@@ -121,14 +121,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_riemann_command() {
-  return {
-      .name = "eos riemann",
-      .summary = "Two half spaces in contact: their waves, exactly (-o FILE.csv, .svg or .html)",
-      .example =
-          "mesobridge eos riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water "
-          "--rho-right 997 --T-right 300 -o waves.svg",
-      .declare = with_options(declare, riemann)};
+Command::Action eos_riemann_command(CLI::App& app) {
+  return with_options(app, declare, riemann);
 }
 
 } // namespace mesobridge::workflows

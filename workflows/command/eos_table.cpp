@@ -113,13 +113,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command eos_table_command() {
-  return {.name = "eos table",
-          .summary = "A table of P, e, s, c_v and c over densities and temperatures (-o FILE.csv or .h5)",
-          .example =
-              "mesobridge eos table --model argon --rho-min 800 --rho-max 1600 --T-min 200 --T-max 1000 "
-              "-o argon.csv",
-          .declare = with_options(declare, table)};
+Command::Action eos_table_command(CLI::App& app) {
+  return with_options(app, declare, table);
 }
 
 } // namespace mesobridge::workflows

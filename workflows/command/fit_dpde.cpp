@@ -82,11 +82,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command fit_dpde_command() {
-  return {.name = "fit dpde",
-          .summary = "Internal energy of a DPDE particle from the blobs of a melt or of isolated molecules",
-          .example = "mesobridge fit dpde out/vacuum/vacuum.h5 -o out/dpde",
-          .declare = with_options(declare, fit_dpde)};
+Command::Action fit_dpde_command(CLI::App& app) {
+  return with_options(app, declare, fit_dpde);
 }
 
 } // namespace mesobridge::workflows

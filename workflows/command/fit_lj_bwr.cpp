@@ -73,11 +73,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command fit_lj_bwr_command() {
-  return {.name = "fit lj-bwr",
-          .summary = "Fit the BWR equation of state of the Lennard-Jones fluid to a table of states",
-          .example = "mesobridge fit lj-bwr out/lj/state-grid.h5 -o out/lj/model.toml --units argon",
-          .declare = with_options(declare, fit)};
+Command::Action fit_lj_bwr_command(CLI::App& app) {
+  return with_options(app, declare, fit);
 }
 
 } // namespace mesobridge::workflows

@@ -4,74 +4,182 @@
 
 namespace mesobridge::workflows {
 
-// Each command is a file of this folder; it is declared here and nowhere else.
-Command md_lj_grid_command();
-Command md_metal_grid_command();
-Command md_hugoniot_command();
-Command md_star_melt_command();
-Command md_star_vacuum_command();
-Command cg_state_grid_command();
-Command cg_blobs_command();
-Command cg_correlations_command();
-Command cg_entropy_command();
-Command fit_lj_bwr_command();
-Command fit_dpde_command();
-Command eos_eval_command();
-Command eos_list_command();
-Command eos_hugoniot_command();
-Command eos_crussard_command();
-Command eos_cj_command();
-Command eos_isentrope_command();
-Command eos_profile_command();
-Command eos_riemann_command();
-Command eos_plot_command();
-Command eos_table_command();
-Command new_command();
-Command run_command();
-Command workflow_lj_to_sdpd_command();
-Command trade_off_command();
-Command workflow_star_polymers_command();
-Command reproduce_command();
-Command check_command();
-Command bench_engine_command();
-Command bench_eos_command();
-Command bench_blobs_command();
-Command doctor_command();
+// Each command is a file of this folder, which adds the command's own options to the parser and returns what
+// to do once they are parsed; it is declared here and nowhere else.
+Command::Action md_lj_grid_command(CLI::App&);
+Command::Action md_metal_grid_command(CLI::App&);
+Command::Action md_hugoniot_command(CLI::App&);
+Command::Action md_star_melt_command(CLI::App&);
+Command::Action md_star_vacuum_command(CLI::App&);
+Command::Action cg_state_grid_command(CLI::App&);
+Command::Action cg_blobs_command(CLI::App&);
+Command::Action cg_correlations_command(CLI::App&);
+Command::Action cg_entropy_command(CLI::App&);
+Command::Action fit_lj_bwr_command(CLI::App&);
+Command::Action fit_dpde_command(CLI::App&);
+Command::Action eos_eval_command(CLI::App&);
+Command::Action eos_list_command(CLI::App&);
+Command::Action eos_hugoniot_command(CLI::App&);
+Command::Action eos_crussard_command(CLI::App&);
+Command::Action eos_cj_command(CLI::App&);
+Command::Action eos_isentrope_command(CLI::App&);
+Command::Action eos_profile_command(CLI::App&);
+Command::Action eos_riemann_command(CLI::App&);
+Command::Action eos_plot_command(CLI::App&);
+Command::Action eos_table_command(CLI::App&);
+Command::Action new_command(CLI::App&);
+Command::Action run_command(CLI::App&);
+Command::Action workflow_lj_to_sdpd_command(CLI::App&);
+Command::Action trade_off_command(CLI::App&);
+Command::Action workflow_star_polymers_command(CLI::App&);
+Command::Action reproduce_command(CLI::App&);
+Command::Action check_command(CLI::App&);
+Command::Action bench_engine_command(CLI::App&);
+Command::Action bench_eos_command(CLI::App&);
+Command::Action bench_blobs_command(CLI::App&);
+Command::Action doctor_command(CLI::App&);
 
 std::vector<Command> commands() {
   std::vector<Command> list{
-      md_lj_grid_command(),
-      md_metal_grid_command(),
-      md_hugoniot_command(),
-      md_star_melt_command(),
-      md_star_vacuum_command(),
-      cg_state_grid_command(),
-      cg_blobs_command(),
-      cg_correlations_command(),
-      cg_entropy_command(),
-      fit_lj_bwr_command(),
-      fit_dpde_command(),
-      eos_eval_command(),
-      eos_list_command(),
-      eos_hugoniot_command(),
-      eos_crussard_command(),
-      eos_cj_command(),
-      eos_isentrope_command(),
-      eos_profile_command(),
-      eos_riemann_command(),
-      eos_plot_command(),
-      eos_table_command(),
-      new_command(),
-      run_command(),
-      workflow_lj_to_sdpd_command(),
-      trade_off_command(),
-      workflow_star_polymers_command(),
-      reproduce_command(),
-      check_command(),
-      bench_engine_command(),
-      bench_eos_command(),
-      bench_blobs_command(),
-      doctor_command(),
+      {.name = "md lj-grid",
+       .summary = "Sample a Lennard-Jones fluid over a grid of states with LAMMPS",
+       .example = "mesobridge md lj-grid --preset quick -o out/lj",
+       .declare = md_lj_grid_command},
+      {.name = "md metal-grid",
+       .summary = "Pressure and energy of a metal over densities and temperatures, with LAMMPS",
+       .example =
+           "mesobridge md metal-grid --potential Cu_mishin1.eam.alloy --rho 8700,9000,9500 --T 300,1200",
+       .declare = md_metal_grid_command},
+      {.name = "md hugoniot",
+       .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
+       .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
+       .declare = md_hugoniot_command},
+      {.name = "md star-melt",
+       .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
+       .example = "mesobridge md star-melt --preset quick -o out/melt",
+       .declare = md_star_melt_command},
+      {.name = "md star-vacuum",
+       .summary = "Isolated star polymers with LAMMPS, at set temperatures or energies",
+       .example = "mesobridge md star-vacuum --star 6-3 --T 0.85 1 1.18 -o out/vacuum",
+       .declare = md_star_vacuum_command},
+      {.name = "cg state-grid",
+       .summary = "Pressure, energy and heat capacity of each sampled state, with errors",
+       .example = "mesobridge cg state-grid out/lj/lj-grid.h5",
+       .declare = cg_state_grid_command},
+      {.name = "cg blobs",
+       .summary = "Blobs (R, P, U, Phi) of a trajectory's molecules",
+       .example = "mesobridge cg blobs melt.lammpstrj --mapping star.toml -o out/blobs",
+       .declare = cg_blobs_command},
+      {.name = "cg correlations",
+       .summary = "Test the key approximation: are R, P and U of the blobs independent?",
+       .example = "mesobridge cg correlations out/melt/blobs.h5",
+       .declare = cg_correlations_command},
+      {.name = "cg entropy",
+       .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
+       .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",
+       .declare = cg_entropy_command},
+      {.name = "fit lj-bwr",
+       .summary = "Fit the BWR equation of state of the Lennard-Jones fluid to a table of states",
+       .example = "mesobridge fit lj-bwr out/lj/state-grid.h5 -o out/lj/model.toml --units argon",
+       .declare = fit_lj_bwr_command},
+      {.name = "fit dpde",
+       .summary = "Internal energy of a DPDE particle from the blobs of a melt or of isolated molecules",
+       .example = "mesobridge fit dpde out/vacuum/vacuum.h5 -o out/dpde",
+       .declare = fit_dpde_command},
+      {.name = "eos eval",
+       .summary = "Every thermodynamic quantity of a model at one state",
+       .example = "mesobridge eos eval --model argon --rho 1150 --T 1000",
+       .declare = eos_eval_command},
+      {.name = "eos list",
+       .summary = "The equations of state that need no file",
+       .example = "mesobridge eos list",
+       .declare = eos_list_command},
+      {.name = "eos hugoniot",
+       .summary = "The state behind a shock, and the Hugoniot curve (-o FILE.csv, .svg or .html)",
+       .example = "mesobridge eos hugoniot --model argon --rho0 1150 --T0 500 --vp 500",
+       .declare = eos_hugoniot_command},
+      {.name = "eos crussard",
+       .summary = "Detonation states of an explosive's products (-o FILE.csv, .svg or .html)",
+       .example =
+           "mesobridge eos crussard --reactant nitromethane --product nitromethane-products --rho0 1104 "
+           "--T0 300 --q 4.716e6 --P-max 3e10 -o crussard.svg",
+       .declare = eos_crussard_command},
+      {.name = "eos cj",
+       .summary = "The Chapman-Jouguet detonation: velocity and state of the products",
+       .example =
+           "mesobridge eos cj --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 "
+           "--q 4.716e6",
+       .declare = eos_cj_command},
+      {.name = "eos isentrope",
+       .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
+       .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
+       .declare = eos_isentrope_command},
+      {.name = "eos profile",
+       .summary = "The front of a shock by the Navier-Stokes equations (-o FILE.csv, .svg or .html)",
+       .example =
+           "mesobridge eos profile --model argon --rho0 1150 --T0 500 --vp 500 --eta 1e-4 -o front.svg",
+       .declare = eos_profile_command},
+      {.name = "eos riemann",
+       .summary = "Two half spaces in contact: their waves, exactly (-o FILE.csv, .svg or .html)",
+       .example =
+           "mesobridge eos riemann --left nitromethane-products --rho-left 1600 --T-left 4000 --right water "
+           "--rho-right 997 --T-right 300 -o waves.svg",
+       .declare = eos_riemann_command},
+      {.name = "eos plot",
+       .summary = "Isotherms, Hugoniot curve and isentrope of one or several models in one drawing",
+       .example =
+           "mesobridge eos plot --model argon --T 300 1000 --rho0 1150 --T0 500 --rho-min 800 --rho-max 1700 "
+           "-o argon.svg",
+       .declare = eos_plot_command},
+      {.name = "eos table",
+       .summary = "A table of P, e, s, c_v and c over densities and temperatures (-o FILE.csv or .h5)",
+       .example = "mesobridge eos table --model argon --rho-min 800 --rho-max 1600 --T-min 200 --T-max 1000 "
+                  "-o argon.csv",
+       .declare = eos_table_command},
+      {.name = "new",
+       .summary = "Write a commented example scene",
+       .example = "mesobridge new argon-1000K -o my.toml",
+       .declare = new_command},
+      {.name = "run",
+       .summary = "Run an SDPD scene",
+       .example = "mesobridge run workflows/scenes/argon-1000K.toml -o out/argon --set particles.K=50",
+       .declare = run_command},
+      {.name = "workflow lj-to-sdpd",
+       .summary = "Lennard-Jones MD, equation of state and SDPD in one chain, with a report",
+       .example = "mesobridge workflow lj-to-sdpd --preset quick -o out/lj-to-sdpd",
+       .declare = workflow_lj_to_sdpd_command},
+      {.name = "trade-off",
+       .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
+       .example = "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
+       .declare = trade_off_command},
+      {.name = "workflow star-polymers",
+       .summary = "Chapter 3 of the thesis: melts and isolated stars, key approximation, entropy, report",
+       .example = "mesobridge workflow star-polymers --star 4-5 --rho 0.2 0.4 -o out/star-polymers",
+       .declare = workflow_star_polymers_command},
+      {.name = "reproduce",
+       .summary = "A figure or table of the thesis, ours beside the printed one",
+       .example = "mesobridge reproduce table-4.1 --preset quick -o out/table-4.1",
+       .declare = reproduce_command},
+      {.name = "check",
+       .summary = "Validate a scene, print it as resolved and estimate its cost; runs nothing",
+       .example = "mesobridge check workflows/scenes/argon-1000K.toml --set particles.K=1000",
+       .declare = check_command},
+      {.name = "bench engine",
+       .summary = "Time the SDPD engine: microseconds per particle and step",
+       .example = "mesobridge bench engine --eos ideal-gas --threads 2 --json",
+       .declare = bench_engine_command},
+      {.name = "bench eos",
+       .summary = "Time the equations of state: nanoseconds per call, medians of repeats",
+       .example = "mesobridge bench eos --model tin --json",
+       .declare = bench_eos_command},
+      {.name = "bench blobs",
+       .summary = "What measuring blobs costs beside the MD, in processor time on one core",
+       .example = "mesobridge bench blobs --molecules 500",
+       .declare = bench_blobs_command},
+      {.name = "doctor",
+       .summary = "What is installed, what is missing and how to get it",
+       .example = "mesobridge doctor",
+       .declare = doctor_command},
   };
   // One more for every equation of state that can be fitted.
   auto place = std::ranges::find(list, "fit lj-bwr", &Command::name);

@@ -8,9 +8,9 @@
 #include "workflows/metal/metal_table.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <spdlog/logger.h>
 
@@ -166,25 +166,18 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--T0", options.request.T0, "Temperature before the shock [K]");
   app.add_option("--rho0", options.request.rho0, "Density before it [kg/m^3] (default: of zero pressure)")
       ->type_name("REAL");
-  app.add_option("--compression", options.request.compressions,
-                 "Densities behind it in units of rho0 (default: 1.06 ... 1.22)")
-      ->delimiter(',')
-      ->default_str("");
-  app.add_option("--vp", options.request.v_P,
-                 "Velocities behind it [m/s]; met about, and measured at the density that is taken for each")
-      ->delimiter(',')
-      ->default_str("");
+  add_list(app, "--compression", options.request.compressions,
+           "Densities behind it in units of rho0 (default: 1.06 ... 1.22)");
+  add_list(app, "--vp", options.request.v_P,
+           "Velocities behind it [m/s]; met about, and measured at the density that is taken for each");
   app.add_flag("--hugoniostat", options.hugoniostat,
                "Also let LAMMPS's Hugoniostat (fix nphug) find each state at its pressure, and compare");
 }
 
 } // namespace
 
-Command md_hugoniot_command() {
-  return {.name = "md hugoniot",
-          .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
-          .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
-          .declare = with_options(declare, hugoniot)};
+Command::Action md_hugoniot_command(CLI::App& app) {
+  return with_options(app, declare, hugoniot);
 }
 
 } // namespace mesobridge::workflows

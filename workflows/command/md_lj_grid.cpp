@@ -5,7 +5,7 @@
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_grid.hpp"
 #include "workflows/ranks.hpp"
-#include <CLI/CLI.hpp>
+#include "workflows/shared_options.hpp"
 
 namespace mesobridge::workflows {
 
@@ -59,8 +59,7 @@ Result lj_grid(Options const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--preset", options.preset, "quick (minutes), standard (an hour) or paper")
-      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  add_preset(app, options.preset, "quick (minutes), standard (an hour) or paper");
   app.add_option("--atoms", options.atoms, "Atoms of one state, 4 n^3")->type_name("INT");
   app.add_option("--cutoff", options.cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");
   app.add_option("--sampling-steps", options.sampling_steps, "Sampled steps of one state")->type_name("INT");
@@ -70,16 +69,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--T-max", options.region.T_max, "Region: highest temperature [epsilon/k_B]");
   app.add_option("--densities", options.densities, "Densities of the grid")->type_name("INT");
   app.add_option("--temperatures", options.temperatures, "Temperatures of the grid")->type_name("INT");
-  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+  add_started_by_ourselves(app, options.started_by_ourselves);
 }
 
 } // namespace
 
-Command md_lj_grid_command() {
-  return {.name = "md lj-grid",
-          .summary = "Sample a Lennard-Jones fluid over a grid of states with LAMMPS",
-          .example = "mesobridge md lj-grid --preset quick -o out/lj",
-          .declare = with_options(declare, lj_grid)};
+Command::Action md_lj_grid_command(CLI::App& app) {
+  return with_options(app, declare, lj_grid);
 }
 
 } // namespace mesobridge::workflows

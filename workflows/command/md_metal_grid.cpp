@@ -5,9 +5,9 @@
 #include "workflows/metal/metal_sampler.hpp"
 #include "workflows/metal/metal_table.hpp"
 #include "workflows/ranks.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -89,22 +89,14 @@ Result metal_grid(Options const& options, Context const& context) {
 
 void declare(CLI::App& app, Options& options) {
   add_options(app, options.metal);
-  app.add_option("--rho", options.rho, "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)")
-      ->delimiter(',')
-      ->default_str("");
-  app.add_option("--T", options.T, "Temperatures [K] (default: 300, 700, 1200)")
-      ->delimiter(',')
-      ->default_str("");
+  add_list(app, "--rho", options.rho, "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)");
+  add_list(app, "--T", options.T, "Temperatures [K] (default: 300, 700, 1200)");
 }
 
 } // namespace
 
-Command md_metal_grid_command() {
-  return {.name = "md metal-grid",
-          .summary = "Pressure and energy of a metal over densities and temperatures, with LAMMPS",
-          .example =
-              "mesobridge md metal-grid --potential Cu_mishin1.eam.alloy --rho 8700,9000,9500 --T 300,1200",
-          .declare = with_options(declare, metal_grid)};
+Command::Action md_metal_grid_command(CLI::App& app) {
+  return with_options(app, declare, metal_grid);
 }
 
 } // namespace mesobridge::workflows

@@ -4,10 +4,10 @@
 #include "workflows/json_file.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/ranks.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/sample_melt.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 
@@ -65,8 +65,7 @@ Result star_melt(Options options, Context const& context) {
 void declare(CLI::App& app, Options& options) {
   options.app = &app;
   auto& s = options.settings;
-  app.add_option("--preset", options.preset, "The 6-3 melt of chapter 3: quick (minutes), standard or paper")
-      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  add_preset(app, options.preset, "The 6-3 melt of chapter 3: quick (minutes), standard or paper");
   app.add_option("--star", options.star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
   app.add_option("--molecules", s.molecules, "Number of stars (default 1000)");
   app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
@@ -77,18 +76,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--equilibration-steps", s.equilibration_steps, "Steps at the final density");
   app.add_option("--sampling-steps", s.sampling_steps, "Steps at constant energy");
   app.add_option("--sample-every", s.sample_every, "Steps between frames (default 100)");
-  app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
-  app.add_flag("--resume", options.resume, "Go on from the checkpoint in the output folder");
-  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+  add_restarts(app, s.checkpoint_every, options.resume, options.started_by_ourselves);
 }
 
 } // namespace
 
-Command md_star_melt_command() {
-  return {.name = "md star-melt",
-          .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
-          .example = "mesobridge md star-melt --preset quick -o out/melt",
-          .declare = with_options(declare, star_melt)};
+Command::Action md_star_melt_command(CLI::App& app) {
+  return with_options(app, declare, star_melt);
 }
 
 } // namespace mesobridge::workflows

@@ -3,8 +3,8 @@
 #include "workflows/earlier_results.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/ranks.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/sample_vacuum.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 
@@ -68,18 +68,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--equilibration-steps", s.equilibration_steps, "Steps before sampling");
   app.add_option("--sampling-steps", s.sampling_steps, "Sampled steps");
   app.add_option("--sample-every", s.sample_every, "Steps between frames (default 250)");
-  app.add_option("--checkpoint-every", s.checkpoint_every, "Steps between checkpoints");
-  app.add_flag("--resume", options.resume, "Go on from the checkpoint in the output folder");
-  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+  add_restarts(app, s.checkpoint_every, options.resume, options.started_by_ourselves);
 }
 
 } // namespace
 
-Command md_star_vacuum_command() {
-  return {.name = "md star-vacuum",
-          .summary = "Isolated star polymers with LAMMPS, at set temperatures or energies",
-          .example = "mesobridge md star-vacuum --star 6-3 --T 0.85 1 1.18 -o out/vacuum",
-          .declare = with_options(declare, star_vacuum)};
+Command::Action md_star_vacuum_command(CLI::App& app) {
+  return with_options(app, declare, star_vacuum);
 }
 
 } // namespace mesobridge::workflows

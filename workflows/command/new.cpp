@@ -80,11 +80,8 @@ void declare(CLI::App& app, std::string& name) {
 
 } // namespace
 
-Command new_command() {
-  return {.name = "new",
-          .summary = "Write a commented example scene",
-          .example = "mesobridge new argon-1000K -o my.toml",
-          .declare = with_options(declare, write_scene)};
+Command::Action new_command(CLI::App& app) {
+  return with_options(app, declare, write_scene);
 }
 
 } // namespace mesobridge::workflows

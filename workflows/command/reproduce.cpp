@@ -3,9 +3,8 @@
 #include "workflows/nearest.hpp"
 #include "workflows/reproduce/list.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/summary.hpp"
-#include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -52,29 +51,20 @@ Result reproduce(Options const& options, Context const& context) {
   if (auto& sources = found.report.sources; std::ranges::find(sources, thesis) == sources.end())
     sources.insert(sources.begin(), thesis);
   found.report.provenance = {context.command_line(), seed, "", {}};
-  Result result;
-  result.json = {{"name", wanted.name}, {"shows", wanted.shows}, {"preset", options.preset}, {"seed", seed}};
-  result.json.update(found.summary);
-  write_summary(directory / "summary.json", result.json);
-  write_text_file(directory / "report.html", found.report.html());
-  result.json["report"] = (directory / "report.html").string();
-  result.text = (directory / "report.html").string();
-  return result;
+  Json summary = {{"name", wanted.name}, {"shows", wanted.shows}, {"preset", options.preset}, {"seed", seed}};
+  summary.update(found.summary);
+  return with_report(directory, std::move(summary), found.report.html());
 }
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("name", options.name, "list, or a name of that list")->required();
-  app.add_option("--preset", options.preset, "how long to work: a minute or two, an hour, a day")
-      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  add_preset(app, options.preset, "how long to work: a minute or two, an hour, a day");
 }
 
 } // namespace
 
-Command reproduce_command() {
-  return {.name = "reproduce",
-          .summary = "A figure or table of the thesis, ours beside the printed one",
-          .example = "mesobridge reproduce table-4.1 --preset quick -o out/table-4.1",
-          .declare = with_options(declare, reproduce)};
+Command::Action reproduce_command(CLI::App& app) {
+  return with_options(app, declare, reproduce);
 }
 
 } // namespace mesobridge::workflows

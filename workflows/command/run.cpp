@@ -9,9 +9,9 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/sdpd/run_text.hpp"
 #include "workflows/sdpd/shortage.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include "workflows/time_limit.hpp"
-#include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -145,11 +145,7 @@ Result run(Options const& options, Context& context) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("scene", options.scene, "The scene file")->required()->type_name("SCENE.toml");
-  app.add_option("--set", options.set, "Override a key of the scene: section.key=value; repeatable")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
+  add_scene(app, options.scene, options.set);
   auto* resume = app.add_flag(
       "--resume", options.resume,
       "Go on from the checkpoint in the output directory, or begin if nothing is there yet; with "
@@ -170,11 +166,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command run_command() {
-  return {.name = "run",
-          .summary = "Run an SDPD scene",
-          .example = "mesobridge run workflows/scenes/argon-1000K.toml -o out/argon --set particles.K=50",
-          .declare = with_options(declare, run)};
+Command::Action run_command(CLI::App& app) {
+  return with_options(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

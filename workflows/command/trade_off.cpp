@@ -3,12 +3,11 @@
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/study/target.hpp"
 #include "workflows/study/trade_off_summary.hpp"
 #include "workflows/study/tries.hpp"
 #include "workflows/summary.hpp"
-#include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 namespace {
@@ -101,23 +100,15 @@ Result run(Options const& options, Context const& context) {
   auto report = trade_off_report(found, target);
   report.provenance = {
       context.command_line(), static_cast<std::uint64_t>(scene.run.seed), resolved_toml(scene), {}};
-  Result result;
-  result.json = trade_off_json(found, target);
-  write_summary(directory / "summary.json", result.json);
-  write_text_file(directory / "report.html", report.html());
-  result.json["report"] = (directory / "report.html").string();
-  result.text = (target.drift || target.bias ? recommendation_text(found, target) : "") +
-                (directory / "report.html").string();
+  auto result = with_report(directory, trade_off_json(found, target), report.html());
+  if (target.drift || target.bias)
+    result.text = recommendation_text(found, target) + result.text;
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
   auto& plan = options.plan;
-  app.add_option("scene", options.scene, "The scene file")->required()->type_name("SCENE.toml");
-  app.add_option("--set", options.set, "Override a key of the scene: section.key=value; repeatable")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
+  add_scene(app, options.scene, options.set);
   app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
       ->delimiter(',');
   app.add_option("--splittings", plan.splittings, "lie-trotter, strang")->delimiter(',');
@@ -136,12 +127,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command trade_off_command() {
-  return {.name = "trade-off",
-          .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
-          .example =
-              "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
-          .declare = with_options(declare, run)};
+Command::Action trade_off_command(CLI::App& app) {
+  return with_options(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

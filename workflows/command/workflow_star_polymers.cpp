@@ -1,10 +1,9 @@
 #include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
 #include "workflows/lj/preset.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/chapter.hpp"
 #include "workflows/summary.hpp"
-#include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <optional>
 
 namespace mesobridge::workflows {
@@ -53,21 +52,14 @@ Result star_polymers(Options const& options, Context const& context) {
   auto const chapter = run_chapter(plan, directory, context);
   auto report = chapter_report(chapter);
   report.provenance = {context.command_line(), seed, "", {}};
-  Result result;
-  result.json = chapter_summary(chapter);
-  result.json["preset"] = options.preset;
-  write_summary(directory / "summary.json", result.json);
-  write_text_file(directory / "report.html", report.html());
-  result.json["report"] = (directory / "report.html").string();
-  result.text = (directory / "report.html").string();
-  return result;
+  auto summary = chapter_summary(chapter);
+  summary["preset"] = options.preset;
+  return with_report(directory, std::move(summary), report.html());
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--preset", options.preset,
-                 "quick (minutes), standard (hours; goes on when run again) or paper")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  add_preset(app, options.preset, "quick (minutes), standard (hours; goes on when run again) or paper")
+      ->capture_default_str();
   app.add_option("--star", options.stars, "ARMS-BEADS of other molecules than the preset's")
       ->type_name("N-N");
   app.add_option("--rho", options.densities, "Beads per sigma^3 of other melts than the preset's");
@@ -80,11 +72,8 @@ void declare(CLI::App& app, Options& options) {
 
 } // namespace
 
-Command workflow_star_polymers_command() {
-  return {.name = "workflow star-polymers",
-          .summary = "Chapter 3 of the thesis: melts and isolated stars, key approximation, entropy, report",
-          .example = "mesobridge workflow star-polymers --star 4-5 --rho 0.2 0.4 -o out/star-polymers",
-          .declare = with_options(declare, star_polymers)};
+Command::Action workflow_star_polymers_command(CLI::App& app) {
+  return with_options(app, declare, star_polymers);
 }
 
 } // namespace mesobridge::workflows

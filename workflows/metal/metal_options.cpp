@@ -1,6 +1,6 @@
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/lj/preset.hpp"
-#include <CLI/CLI.hpp>
+#include "workflows/shared_options.hpp"
 
 namespace mesobridge::workflows {
 
@@ -13,8 +13,7 @@ void add_options(CLI::App& app, MetalOptions& options) {
       ->type_name("NAME");
   app.add_option("--lattice", options.lattice, "fcc, bcc or hcp (default: the potential's)")
       ->type_name("NAME");
-  app.add_option("--preset", options.preset, "quick (a minute or two), standard (an hour) or paper")
-      ->check(CLI::IsMember({"quick", "standard", "paper"}));
+  add_preset(app, options.preset, "quick (a minute or two), standard (an hour) or paper");
   app.add_option("--start", options.start,
                  "Begin as crystal or melt it first; a short run stays what it began as "
                  "beyond the melting point")
@@ -28,7 +27,7 @@ void add_options(CLI::App& app, MetalOptions& options) {
   app.add_option("--time-step", options.time_step, "Time step [neighbour distance/sound speed]")
       ->type_name("REAL");
   app.add_flag("--resume", options.resume, "Keep the states that an interrupted run has completed");
-  app.add_flag("--started-by-ourselves", options.started_by_ourselves)->group(""); // for run_on_ranks only
+  add_started_by_ourselves(app, options.started_by_ourselves);
 }
 
 md::MetalSettings settings_of(MetalOptions const& options, Context const& context) {

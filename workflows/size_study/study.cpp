@@ -157,15 +157,8 @@ class Study {
 } // namespace
 
 std::string label_of(Treatment treatment) {
-  switch (treatment) {
-  case Treatment::plain:
-    return "plain";
-  case Treatment::corrected:
-    return "corrected";
-  case Treatment::free:
-    break;
-  }
-  return "corrected, centre-of-mass-free";
+  constexpr std::array in_order{"plain", "corrected", "corrected, centre-of-mass-free"};
+  return in_order.at(static_cast<std::size_t>(treatment));
 }
 
 SizeStudy run_size_study(md::Preset preset, std::uint64_t seed, int threads,

@@ -1,12 +1,9 @@
-#include "cg/blobs.hpp"
 #include "md/star_melt.hpp"
 #include "md/star_system.hpp"
 #include "md/star_width.hpp"
-#include "scratch_directory.hpp"
+#include "physics/cg/blob_run.hpp"
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
-#include <optional>
 
 namespace mesobridge::cg::test {
 namespace {
@@ -35,22 +32,12 @@ Vec3 wca_force(Vec3 const& r) {
   return r2 < std::cbrt(2.0) ? r * ((48 * std::pow(r2, -6) - 24 * std::pow(r2, -3)) / r2) : Vec3{};
 }
 
-class StarMeltTest : public ::testing::Test {
+class StarMeltTest : public BlobRun {
  protected:
   std::vector<BlobFrame> run(md::StarMeltSettings const& settings, bool resume,
                              std::optional<std::int64_t> stop_at = {}) {
-    std::vector<BlobFrame> frames, safe;
-    BlobMaker maker(model_of(settings.star));
-    md::sample_star_melt(
-        world_, settings, resume,
-        {.frames =
-             [&](md::MoleculeFrame const& frame) {
-               last_ = frame;
-               frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
-             },
-         .checkpoint = [&] { safe = frames; },
-         .steps = [&](std::int64_t done, std::int64_t) { return !stop_at || done < *stop_at; }});
-    return stop_at ? safe : frames;
+    md::sample_star_melt(world_, settings, resume, recorder<md::StarMeltConsumers>(settings.star, stop_at));
+    return stop_at ? safe_ : frames_;
   }
 
   /// The blobs' energies against that of LAMMPS in every frame, and those of the last frame against sums over
@@ -91,10 +78,6 @@ class StarMeltTest : public ::testing::Test {
     }
     EXPECT_GT(interactions, 50) << "the molecules touch";
   }
-
-  md::MpiWorld world_;
-  tests::ScratchDirectory folder_;
-  md::MoleculeFrame last_;
 };
 
 TEST_F(StarMeltTest, BlobsAddUpAndAgreeWithAnIndependentSum) {

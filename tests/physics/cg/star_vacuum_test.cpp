@@ -1,37 +1,21 @@
-#include "cg/blobs.hpp"
 #include "cg/entropy.hpp"
 #include "md/star_vacuum.hpp"
-#include "scratch_directory.hpp"
+#include "physics/cg/blob_run.hpp"
 #include <cmath>
-#include <gtest/gtest.h>
-#include <optional>
 
 namespace mesobridge::cg::test {
 namespace {
 
-class StarVacuumTest : public ::testing::Test {
+class StarVacuumTest : public BlobRun {
  protected:
   /// The frames that were put in safety.
   std::vector<BlobFrame> run(md::StarVacuumSettings settings, bool resume = false,
                              std::optional<std::int64_t> stop_at = {}) {
     settings.directory = folder_.path();
-    std::vector<BlobFrame> frames, safe;
-    BlobMaker maker(model_of(settings.star));
-    md::sample_star_vacuum(
-        world_, settings, resume,
-        {.frames =
-             [&](md::MoleculeFrame const& frame) {
-               last_ = frame;
-               frames.push_back(gather_blobs(world_, frame, maker.blobs(frame)));
-             },
-         .checkpoint = [&] { safe = frames; },
-         .steps = [&](std::int64_t done, std::int64_t) { return !stop_at || done < *stop_at; }});
-    return safe;
+    md::sample_star_vacuum(world_, settings, resume,
+                           recorder<md::StarVacuumConsumers>(settings.star, stop_at));
+    return safe_;
   }
-
-  md::MpiWorld world_;
-  tests::ScratchDirectory folder_;
-  md::MoleculeFrame last_;
 };
 
 /// A star of springs of rest length 0 without repulsion has an exact S(U) = (3N - 4) ln U.

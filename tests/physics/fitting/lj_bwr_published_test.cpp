@@ -1,19 +1,13 @@
 #include "fitting/eos/evaluate.hpp"
 #include "fitting/eos/list.hpp"
 #include "fitting/eos/lj_bwr_stability.hpp"
+#include "unit/fitting/built_in.hpp"
 #include <gsl/gsl_integration.h>
 #include <gtest/gtest.h>
 #include <random>
 
 namespace mesobridge::fitting::test {
 namespace {
-
-LjBwr const& lj() {
-  return std::get<LjBwr>(material("lj").eos);
-}
-LjBwr const& argon() {
-  return std::get<LjBwr>(material("argon").eos);
-}
 
 TEST(LjBwrPublished, ResidualFreeEnergyOfJohnsonsSet) {
   EXPECT_NEAR(lj().alpha_r(0.6, 1.35), -1.237403479, 5e-10);

@@ -1,9 +1,7 @@
 #include "cg/estimate.hpp"
 #include "cg/kolmogorov_smirnov.hpp"
 #include "pair_fluid_fixtures.hpp"
-#include "sdpd/conservative/conservative.hpp"
-#include "sdpd/fluctuation/fluctuation.hpp"
-#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "physics/sdpd/fluctuating.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/observe/equilibrium.hpp"
 #include "sdpd/setup/equilibration.hpp"
@@ -47,13 +45,7 @@ Sampled sample(PairScheme scheme, double C, double dt, double across, int instan
   std::fill(system->particles.eps.begin(), system->particles.eps.end(), C + 1);
   thermodynamics_from_energy(*system);
   Sampled sampled;
-  for (int k = -20; k < instants; ++k) {
-    for (int s = 0; s < between; ++s, ++system->step) {
-      fluctuate(*system, scheme, dt);
-      thermodynamics_from_energy(*system);
-    }
-    if (k < 0)
-      continue;
+  at_instants(*system, scheme, dt, instants, between, [&] {
     double kinetic = 0;
     for (std::size_t i = 0; i < system->size(); ++i) {
       sampled.energies.push_back(system->particles.eps[i]);
@@ -62,7 +54,7 @@ Sampled sample(PairScheme scheme, double C, double dt, double across, int instan
       kinetic += norm2(system->particles.p[i]) / (3 * (static_cast<double>(system->size()) - 1));
     }
     sampled.kinetic.push_back(kinetic);
-  }
+  });
   sampled.counts = system->pair_counts;
   return sampled;
 }

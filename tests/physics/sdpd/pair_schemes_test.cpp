@@ -1,10 +1,7 @@
 #include "cg/kolmogorov_smirnov.hpp"
-#include "sdpd/conservative/conservative.hpp"
-#include "sdpd/fluctuation/fluctuation.hpp"
-#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "physics/sdpd/fluctuating.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/state/pair_counts.hpp"
-#include "sdpd/system/system.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
@@ -38,18 +35,12 @@ Sampled sample(PairScheme scheme, double K, double dt, int instants, int between
   settings.disorder = 0.2;
   auto const system = make_system(settings);
   Sampled sampled;
-  for (int k = -20; k < instants; ++k) {
-    for (int s = 0; s < between; ++s, ++system->step) {
-      fluctuate(*system, scheme, dt);
-      thermodynamics_from_energy(*system);
-    }
-    if (k < 0)
-      continue;
+  at_instants(*system, scheme, dt, instants, between, [&] {
     for (double const eps : system->particles.eps)
       sampled.energies.push_back(eps * K);
     for (auto const& p : system->particles.p)
       sampled.momenta.push_back(p.x * std::sqrt(K));
-  }
+  });
   sampled.counts = system->pair_counts;
   return sampled;
 }

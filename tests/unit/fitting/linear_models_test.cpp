@@ -1,21 +1,13 @@
+#include "error_text.hpp"
 #include "fitting/fluid.hpp"
 #include "fitting/root.hpp"
+#include "unit/fitting/built_in.hpp"
 #include <array>
 #include <functional>
 #include <gtest/gtest.h>
 
 namespace mesobridge::fitting::test {
 namespace {
-
-MieGruneisen const& tin() {
-  return std::get<MieGruneisen>(material("tin").eos);
-}
-Hz const& nitromethane() {
-  return std::get<Hz>(material("nitromethane").eos);
-}
-Jwl const& products() {
-  return std::get<Jwl>(material("nitromethane-products").eos);
-}
 
 double pressure_at(auto const& eos, double rho, double T) {
   return eos.pressure(eos.energy_from_temperature(T, rho), rho);
@@ -211,33 +203,26 @@ TEST(LinearModels, BadParametersAreRefused) {
       17);
 }
 
-/// The message of the PhysicsError that f throws.
-std::string complaint(std::function<void()> const& f) {
-  try {
-    f();
-  } catch (PhysicsError const& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 void expect_named(std::string const& what, std::vector<std::string> const& parts) {
   for (auto const& part : parts)
     EXPECT_NE(what.find(part), std::string::npos) << what;
 }
 
 TEST(LinearModels, StatesOutsideAreRefusedByName) {
-  expect_named(complaint([] { nitromethane().pressure(1e6, 2280); }), {"HZ", "density 2280", "2279.7"});
+  expect_named(tests::error_text<PhysicsError>([] { nitromethane().pressure(1e6, 2280); }),
+               {"HZ", "density 2280", "2279.7"});
   double const coldest = products().law(1500.0).E;
   EXPECT_NO_THROW(products().pressure(coldest + 1, 1500));
-  expect_named(complaint([&] { products().pressure(coldest - 1, 1500); }),
+  expect_named(tests::error_text<PhysicsError>([&] { products().pressure(coldest - 1, 1500); }),
                {"JWL", "1500", "energy", "T = 0"});
-  expect_named(complaint([] { tin().isochore(1e-200); }), {"Mie-Gruneisen", "1e-200", "too extreme"});
-  expect_named(complaint([] { tin().energy_from_temperature(-1, 7000); }), {"temperature -1", "7000"});
+  expect_named(tests::error_text<PhysicsError>([] { tin().isochore(1e-200); }),
+               {"Mie-Gruneisen", "1e-200", "too extreme"});
+  expect_named(tests::error_text<PhysicsError>([] { tin().energy_from_temperature(-1, 7000); }),
+               {"temperature -1", "7000"});
   // Cold products pull themselves together (K < 0): there is no sound in expansion.
   double const e = products().energy_from_temperature(300, 100);
   EXPECT_LT(products().pressure(e, 100), 0);
-  expect_named(complaint([&] { products().sound_speed(e, 100); }),
+  expect_named(tests::error_text<PhysicsError>([&] { products().sound_speed(e, 100); }),
                {"mechanically unstable", "density 100", "temperature 300"});
 }
 

@@ -1,5 +1,6 @@
 #include "fitting/eos/list.hpp"
 #include "fitting/eos/mixture.hpp"
+#include "unit/fitting/built_in.hpp"
 #include <chrono>
 #include <ctime>
 #include <gtest/gtest.h>
@@ -9,12 +10,6 @@
 namespace mesobridge::fitting::test {
 namespace {
 
-Hz const& nitromethane() {
-  return std::get<Hz>(material("nitromethane").eos);
-}
-Jwl const& products() {
-  return std::get<Jwl>(material("nitromethane-products").eos);
-}
 Mixture<Hz, Jwl> explosive(VolumeLaw law = VolumeLaw::additive_volume) {
   return {nitromethane(), products(), law};
 }

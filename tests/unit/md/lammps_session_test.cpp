@@ -1,3 +1,4 @@
+#include "error_text.hpp"
 #include "md/lammps_session.hpp"
 #include <algorithm>
 #include <cmath>
@@ -32,15 +33,6 @@ class LammpsSessionTest : public ::testing::Test {
   std::filesystem::path log_ = temporary("lammps.log");
 };
 
-std::string text_of_error(auto&& doing) {
-  try {
-    doing();
-  } catch (LammpsError const& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST_F(LammpsSessionTest, ErrorsAreExceptionsWithLammpssOwnTextAndTheProcessLivesOn) {
   struct Case {
     char const *command, *text;
@@ -51,10 +43,11 @@ TEST_F(LammpsSessionTest, ErrorsAreExceptionsWithLammpssOwnTextAndTheProcessLive
                         Case{"run 10", "Run command before simulation box is defined"},
                         Case{"read_data /dev/null/file", "Cannot open file /dev/null/file"}}) {
     auto lammps = session();
-    auto const text = text_of_error([&] { lammps.command(c.command); });
+    auto const text = tests::error_text<LammpsError>([&] { lammps.command(c.command); });
     EXPECT_NE(text.find(c.text), std::string::npos) << text;
     EXPECT_NE(text.find(c.command), std::string::npos) << "the command is named: " << text;
-    EXPECT_NE(text_of_error([&] { lammps.command("units lj"); }).find("after an error"), std::string::npos);
+    EXPECT_NE(tests::error_text<LammpsError>([&] { lammps.command("units lj"); }).find("after an error"),
+              std::string::npos);
     ++cases;
   }
   EXPECT_EQ(cases, 4);
@@ -65,13 +58,14 @@ TEST_F(LammpsSessionTest, ErrorsAreExceptionsWithLammpssOwnTextAndTheProcessLive
 
 TEST_F(LammpsSessionTest, LostAtomsOfAnUnstableRunAreAnException) {
   auto lammps = fluid(0.2);
-  auto const text = text_of_error([&] { lammps.command("run 500"); });
+  auto const text = tests::error_text<LammpsError>([&] { lammps.command("run 500"); });
   EXPECT_TRUE(text.find("Lost atoms") != std::string::npos || text.find("Non-numeric") != std::string::npos)
       << text;
 }
 
 TEST_F(LammpsSessionTest, ALogThatCannotBeWrittenIsAnException) {
-  auto const text = text_of_error([&] { LammpsSession(world_, Ranks::own, "/dev/null/lammps.log"); });
+  auto const text =
+      tests::error_text<LammpsError>([&] { LammpsSession(world_, Ranks::own, "/dev/null/lammps.log"); });
   EXPECT_NE(text.find("Cannot open logfile"), std::string::npos) << text;
   EXPECT_THROW(LammpsSession(world_, Ranks::own, "a\"b"), InputError);
 }
@@ -126,7 +120,8 @@ TEST_F(LammpsSessionTest, UnknownKeywordsAndComputesAreErrorsNotZeros) {
   auto lammps = fluid(0.004);
   lammps.command("run 0");
   EXPECT_THROW(lammps.compute("nonesuch"), InputError);
-  EXPECT_NE(text_of_error([&] { lammps.thermo("nonesuch"); }).find("nonesuch"), std::string::npos);
+  EXPECT_NE(tests::error_text<LammpsError>([&] { lammps.thermo("nonesuch"); }).find("nonesuch"),
+            std::string::npos);
 }
 
 TEST_F(LammpsSessionTest, TellsWhatIsInstalled) {

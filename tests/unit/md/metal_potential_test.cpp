@@ -1,3 +1,4 @@
+#include "error_text.hpp"
 #include "md/lj_fluid.hpp"
 #include "md/metal_crystal.hpp"
 #include <fstream>
@@ -6,15 +7,6 @@
 
 namespace mesobridge::md::test {
 namespace {
-
-std::string text_of_refusal(auto&& doing) {
-  try {
-    doing();
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  return "no refusal";
-}
 
 class PotentialFile {
  public:
@@ -91,7 +83,7 @@ TEST(MetalPotential, RefusesWithTheFileAndTheReason) {
         Case{diamond.path(), "", "must be fcc, bcc or hcp"},
         Case{nonsense.path(), "", "has no atomic number"}, Case{other.path(), "", "must end in .eam"},
         Case{"", "", "must be the name of a file"}}) {
-    auto const text = text_of_refusal([&] { read_metal_potential(c.file, c.element); });
+    auto const text = tests::error_text([&] { read_metal_potential(c.file, c.element); });
     EXPECT_NE(text.find(c.text), std::string::npos) << text;
     ++cases;
   }

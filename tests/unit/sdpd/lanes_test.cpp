@@ -1,5 +1,6 @@
 #include "sdpd/simd/lane_math.hpp"
 #include <gtest/gtest.h>
+#include <numeric>
 #include <vector>
 
 namespace mesobridge::sdpd {
@@ -12,38 +13,33 @@ Lanes lanes(double first, double ratio) {
   return x;
 }
 
-TEST(Lanes, TurnRowsIntoQuantitiesAndBack) {
-  std::vector<double> numbers(32);
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    numbers[k] = static_cast<double>(k);
-  auto const quantities = load_rows([&](std::size_t l) { return &numbers[4 * l]; });
-  for (std::size_t q = 0; q < 4; ++q)
+/// 0, 1, 2 ... as rows of so many quantities: `load(row of a lane)` makes lanes of each quantity.
+template <class Number>
+auto expect_quantities_of_rows(std::size_t lane_count, std::size_t quantity_count, auto const& load) {
+  std::vector<Number> numbers(lane_count * quantity_count);
+  std::iota(numbers.begin(), numbers.end(), Number{0});
+  auto const quantities = load([&](std::size_t l) { return &numbers[quantity_count * l]; });
+  for (std::size_t q = 0; q < quantity_count; ++q)
     for (std::size_t l = 0; l < lane_count; ++l)
-      EXPECT_EQ(quantities[q][l], static_cast<double>(4 * l + q));
+      EXPECT_EQ(quantities[q][l], static_cast<Number>(quantity_count * l + q));
+  return quantities;
+}
+
+TEST(Lanes, TurnRowsIntoQuantitiesAndBack) {
+  auto const quantities =
+      expect_quantities_of_rows<double>(lane_count, 4, [](auto const& row) { return load_rows(row); });
   auto const rows = to_rows(quantities);
   for (std::size_t l = 0; l < lane_count; ++l)
     for (std::size_t q = 0; q < 4; ++q)
-      EXPECT_EQ(rows[l][q], numbers[4 * l + q]);
+      EXPECT_EQ(rows[l][q], static_cast<double>(4 * l + q));
 }
 
 TEST(WideLanes, TurnRowsIntoQuantities) {
-  std::vector<float> numbers(64);
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    numbers[k] = static_cast<float>(k);
-  auto const quantities = load_wide_rows([&](std::size_t l) { return &numbers[4 * l]; });
-  for (std::size_t q = 0; q < 4; ++q)
-    for (std::size_t l = 0; l < wide_count; ++l)
-      EXPECT_EQ(quantities[q][l], static_cast<float>(4 * l + q));
+  expect_quantities_of_rows<float>(wide_count, 4, [](auto const& row) { return load_wide_rows(row); });
 }
 
 TEST(Lanes, TurnLinesIntoQuantities) {
-  std::vector<double> numbers(64);
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    numbers[k] = static_cast<double>(k);
-  auto const quantities = load_lines([&](std::size_t l) { return &numbers[8 * l]; });
-  for (std::size_t q = 0; q < 8; ++q)
-    for (std::size_t l = 0; l < lane_count; ++l)
-      EXPECT_EQ(quantities[q][l], static_cast<double>(8 * l + q));
+  expect_quantities_of_rows<double>(lane_count, 8, [](auto const& line) { return load_lines(line); });
 }
 
 TEST(Lanes, CompressKeepsWhatIsMarkedInItsOrder) {

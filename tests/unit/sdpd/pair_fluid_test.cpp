@@ -8,20 +8,12 @@
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/state/random.hpp"
 #include "sdpd/system/total_energy.hpp"
+#include "unit/sdpd/every_fluid.hpp"
 #include "unit/sdpd/oracle/plain.hpp"
-#include <cstring>
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {
 namespace {
-
-template <class T>
-bool same_bits(std::vector<T> const& a, std::vector<T> const& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-bool same_bits(Snapshot const& a, Snapshot const& b) {
-  return same_bits(a.q, b.q) && same_bits(a.p, b.p) && same_bits(a.eps, b.eps) && same_bits(a.T, b.T);
-}
 
 SimulationSettings with_scheme(SimulationSettings s, Scheme scheme) {
   s.scheme = scheme;
@@ -70,42 +62,15 @@ INSTANTIATE_TEST_SUITE_P(Fluids, EveryPairFluid, ::testing::ValuesIn(cases),
                          [](auto const& info) { return info.param.name; });
 
 TEST_P(EveryPairFluid, GivesTheSameBitsForAnyNumberOfThreads) {
-  auto settings = GetParam().settings;
-  std::vector<Snapshot> results;
-  for (int const threads : {1, 2, 4}) {
-    settings.threads = threads;
-    Simulation simulation(settings);
-    simulation.advance(30);
-    EXPECT_GT(simulation.list_renewals(), 1u);
-    results.push_back(simulation.snapshot());
-  }
-  EXPECT_TRUE(same_bits(results[0], results[1]));
-  EXPECT_TRUE(same_bits(results[0], results[2]));
-  settings.seed += 1;
-  Simulation other(settings);
-  other.advance(30);
-  EXPECT_FALSE(same_bits(results[0], other.snapshot()));
+  expect_same_bits_for_any_number_of_threads(GetParam().settings, 30);
 }
 
 TEST_P(EveryPairFluid, GoesOnBitForBitFromACheckpoint) {
-  Simulation unbroken(GetParam().settings);
-  unbroken.advance(32);
-  auto const checkpoint = unbroken.checkpoint();
-  unbroken.advance(30);
-  Simulation resumed(GetParam().settings);
-  resumed.restore(checkpoint);
-  resumed.advance(30);
-  EXPECT_TRUE(same_bits(unbroken.snapshot(), resumed.snapshot()));
-  EXPECT_EQ(unbroken.observe().energy(), resumed.observe().energy());
-  EXPECT_EQ(unbroken.observe().P, resumed.observe().P);
+  expect_to_go_on_bit_for_bit(GetParam().settings, 32);
 }
 
 TEST_P(EveryPairFluid, ConservesMomentumToRoundOff) {
-  Simulation simulation(GetParam().settings);
-  simulation.advance(100);
-  auto const now = simulation.observe();
-  double const scale = std::sqrt(2 * now.kinetic * static_cast<double>(simulation.size()));
-  EXPECT_LT(norm(now.momentum) / scale, 1e-14);
+  expect_conserved_momentum(GetParam().settings, 100);
 }
 
 TEST_P(EveryPairFluid, HasNoArraysThatItDoesNotNeed) {

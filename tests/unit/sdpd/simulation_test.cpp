@@ -7,23 +7,13 @@
 #include "sdpd/system/system.hpp"
 #include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
+#include "unit/sdpd/every_fluid.hpp"
 #include "unit/sdpd/oracle/plain.hpp"
-#include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>
 
 namespace mesobridge::sdpd {
 namespace {
-
-template <class T>
-bool same_bits(std::vector<T> const& a, std::vector<T> const& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
-bool same_bits(Snapshot const& a, Snapshot const& b) {
-  return same_bits(a.q, b.q) && same_bits(a.p, b.p) && same_bits(a.eps, b.eps) && same_bits(a.rho, b.rho) &&
-         same_bits(a.T, b.T) && same_bits(a.P, b.P);
-}
 
 struct Case {
   char const* name;
@@ -33,42 +23,15 @@ struct Case {
 class EveryFluid : public ::testing::TestWithParam<Case> {};
 
 TEST_P(EveryFluid, GivesTheSameBitsForAnyNumberOfThreads) {
-  auto settings = GetParam().settings;
-  std::vector<Snapshot> results;
-  for (int const threads : {1, 2, 4}) {
-    settings.threads = threads;
-    Simulation simulation(settings);
-    simulation.advance(40);
-    EXPECT_GT(simulation.list_renewals(), 1u); // the lists were renewed on the way
-    results.push_back(simulation.snapshot());
-  }
-  EXPECT_TRUE(same_bits(results[0], results[1]));
-  EXPECT_TRUE(same_bits(results[0], results[2]));
-  settings.seed += 1;
-  Simulation other(settings);
-  other.advance(40);
-  EXPECT_FALSE(same_bits(results[0], other.snapshot()));
+  expect_same_bits_for_any_number_of_threads(GetParam().settings, 40);
 }
 
 TEST_P(EveryFluid, GoesOnBitForBitFromACheckpoint) {
-  Simulation unbroken(GetParam().settings);
-  unbroken.advance(34);
-  auto const checkpoint = unbroken.checkpoint();
-  unbroken.advance(30);
-  Simulation resumed(GetParam().settings);
-  resumed.restore(checkpoint);
-  resumed.advance(30);
-  EXPECT_TRUE(same_bits(unbroken.snapshot(), resumed.snapshot()));
-  EXPECT_EQ(unbroken.observe().energy(), resumed.observe().energy());
-  EXPECT_EQ(resumed.observe().step, 64u);
+  expect_to_go_on_bit_for_bit(GetParam().settings, 34);
 }
 
 TEST_P(EveryFluid, ConservesMomentumToRoundOff) {
-  Simulation simulation(GetParam().settings);
-  simulation.advance(200);
-  auto const now = simulation.observe();
-  double const scale = std::sqrt(2 * now.kinetic * static_cast<double>(simulation.size()));
-  EXPECT_LT(norm(now.momentum) / scale, 1e-14);
+  expect_conserved_momentum(GetParam().settings, 200);
 }
 
 SimulationSettings with_kernel(SimulationSettings s, std::string const& kernel) {

@@ -5,8 +5,6 @@ namespace mesobridge::tests {
 
 namespace {
 
-std::filesystem::path const source{MESOBRIDGE_SOURCE_DIR};
-
 std::ptrdiff_t lines_of(std::string const& text) {
   return std::ranges::count(text, '\n');
 }
@@ -16,13 +14,10 @@ TEST(FileLength, NoFileOfAStageIsTooLongToBeRead) {
   constexpr std::ptrdiff_t longest = 300;
   int files = 0;
   for (auto const& stage : stages)
-    for (auto const& entry : std::filesystem::recursive_directory_iterator(source / stage)) {
-      auto const extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp")
-        continue;
-      EXPECT_LE(lines_of(read(entry.path())), longest) << entry.path() << ": split it by concept";
+    for_each_source(stage, [&](std::filesystem::path const& file, std::string const& text) {
+      EXPECT_LE(lines_of(text), longest) << file << ": split it by concept";
       ++files;
-    }
+    });
   EXPECT_GT(files, 400); // the walk has seen the tree
   EXPECT_EQ(lines_of("one\ntwo\n"), 2);
 }

@@ -10,6 +10,8 @@
 
 namespace mesobridge::tests {
 
+inline std::filesystem::path const source{MESOBRIDGE_SOURCE_DIR};
+
 /// The stages of the pipeline from the source to the mouth; the tests come after all of them.
 inline std::array<std::string, 6> const pipeline{"md", "cg", "fitting", "sdpd", "workflows", "tests"};
 inline std::array<std::string, 5> const stages{"md", "cg", "fitting", "sdpd", "workflows"};
@@ -38,6 +40,14 @@ inline std::string read(std::filesystem::path const& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+/// Calls f(path, text) for every C++ file of a stage.
+template <class F>
+void for_each_source(std::string const& stage, F const& f) {
+  for (auto const& entry : std::filesystem::recursive_directory_iterator(source / stage))
+    if (auto const extension = entry.path().extension(); extension == ".hpp" || extension == ".cpp")
+      f(entry.path(), read(entry.path()));
 }
 
 } // namespace mesobridge::tests

@@ -5,19 +5,14 @@ namespace mesobridge::tests {
 
 namespace {
 
-std::filesystem::path const source{MESOBRIDGE_SOURCE_DIR};
-
 TEST(IncludeRule, NoStageIncludesAStageDownstreamOfIt) {
   int files = 0;
   for (auto const& stage : stages)
-    for (auto const& entry : std::filesystem::recursive_directory_iterator(source / stage)) {
-      auto const extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp")
-        continue;
+    for_each_source(stage, [&](std::filesystem::path const& file, std::string const& text) {
       ++files;
-      for (auto const& offence : offences(stage, read(entry.path())))
-        ADD_FAILURE() << entry.path() << ": a file of stage " << stage << " includes " << offence;
-    }
+      for (auto const& offence : offences(stage, text))
+        ADD_FAILURE() << file << ": a file of stage " << stage << " includes " << offence;
+    });
   EXPECT_GT(files, 40); // the walk has seen the tree
 }
 
@@ -60,15 +55,13 @@ std::vector<std::string> rooms_behind(std::string const& room, std::string const
 
 TEST(IncludeRule, NoRoomOfTheEngineIncludesOneBehindIt) {
   int files = 0;
-  for (auto const& entry : std::filesystem::recursive_directory_iterator(source / "sdpd")) {
-    if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp")
-      continue;
-    auto const room = room_of(std::filesystem::relative(entry.path(), source));
-    ASSERT_NE(std::ranges::find(rooms, room), rooms.end()) << entry.path() << " is in a room of no rank";
-    for (auto const& offence : rooms_behind(room, read(entry.path())))
-      ADD_FAILURE() << entry.path() << " includes " << offence;
+  for_each_source("sdpd", [&](std::filesystem::path const& file, std::string const& text) {
+    auto const room = room_of(std::filesystem::relative(file, source));
+    ASSERT_NE(std::ranges::find(rooms, room), rooms.end()) << file << " is in a room of no rank";
+    for (auto const& offence : rooms_behind(room, text))
+      ADD_FAILURE() << file << " includes " << offence;
     ++files;
-  }
+  });
   EXPECT_GT(files, 80);
   EXPECT_EQ(rooms_behind("kernel", "#include \"sdpd/system/system.hpp\"\n"),
             std::vector<std::string>{"sdpd/system/system.hpp"});

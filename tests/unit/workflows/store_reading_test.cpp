@@ -1,3 +1,4 @@
+#include "error_text.hpp"
 #include "md/error.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/store/store.hpp"
@@ -10,19 +11,9 @@ namespace mesobridge::workflows {
 
 namespace {
 
-using tests::ScratchDirectory;
+using tests::ScratchDirectory, tests::error_text;
 using Doubles = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
-
-/// The message of the InputError that `act` ends with, "" when it goes through.
-std::string refusal(std::function<void()> const& act) {
-  try {
-    act();
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  return "";
-}
 
 void expect_words(std::string const& message, std::vector<std::string> const& words) {
   for (auto const& word : words)
@@ -98,7 +89,7 @@ TEST(StoreReading, AColumnIsWhatItsReaderWantsOrRefused) {
   };
   std::size_t tried = 0;
   for (auto const& one : all) {
-    auto const message = refusal(one.act);
+    auto const message = error_text(one.act);
     EXPECT_FALSE(message.empty()) << tried;
     expect_words(message, one.words);
     ++tried;
@@ -127,18 +118,20 @@ TEST(StoreReading, AttributesAreOneNumberOrOneText) {
   EXPECT_EQ(store.read_double_attribute("/", "one of one"), 7);
   EXPECT_EQ(store.read_text_attribute("/", "fixed"), "abcd");
   EXPECT_EQ(store.read_text_attributes("/", "two"), (std::vector<std::string>{"ab", "cdef"}));
-  expect_words(refusal([&] { store.read_double_attribute("/", "array"); }), {"array", "3", "one number"});
-  expect_words(refusal([&] { store.read_integer_attribute("/", "array"); }), {"array", "one integer"});
-  expect_words(refusal([&] { store.read_integer_attribute("/", "one of one"); }),
+  expect_words(error_text([&] { store.read_double_attribute("/", "array"); }), {"array", "3", "one number"});
+  expect_words(error_text([&] { store.read_integer_attribute("/", "array"); }), {"array", "one integer"});
+  expect_words(error_text([&] { store.read_integer_attribute("/", "one of one"); }),
                {"floating", "one integer"});
-  expect_words(refusal([&] { store.read_double_attribute("/", "fixed"); }), {"fixed", "texts", "one number"});
-  expect_words(refusal([&] { store.read_double_attribute("/", "infinite"); }), {"inf", "finite"});
-  expect_words(refusal([&] { store.read_double_attribute("/", "nothing"); }), {"nothing", "one number"});
-  expect_words(refusal([&] { store.read_double_attribute("/", "one of one", {.most = 6}); }), {"7", "<= 6"});
-  expect_words(refusal([&] { store.read_text_attribute("/", "two"); }), {"array of 2", "one text"});
-  expect_words(refusal([&] { store.read_text_attribute("/", "latin"); }), {"UTF-8"});
-  expect_words(refusal([&] { store.read_text_attribute("/", "array"); }), {"array", "must be a text"});
-  expect_words(refusal([&] { store.read_text_attribute("/", "missing"); }), {"no attribute 'missing'"});
+  expect_words(error_text([&] { store.read_double_attribute("/", "fixed"); }),
+               {"fixed", "texts", "one number"});
+  expect_words(error_text([&] { store.read_double_attribute("/", "infinite"); }), {"inf", "finite"});
+  expect_words(error_text([&] { store.read_double_attribute("/", "nothing"); }), {"nothing", "one number"});
+  expect_words(error_text([&] { store.read_double_attribute("/", "one of one", {.most = 6}); }),
+               {"7", "<= 6"});
+  expect_words(error_text([&] { store.read_text_attribute("/", "two"); }), {"array of 2", "one text"});
+  expect_words(error_text([&] { store.read_text_attribute("/", "latin"); }), {"UTF-8"});
+  expect_words(error_text([&] { store.read_text_attribute("/", "array"); }), {"array", "must be a text"});
+  expect_words(error_text([&] { store.read_text_attribute("/", "missing"); }), {"no attribute 'missing'"});
 }
 
 TEST(StoreReading, SizesThatTheFileCannotHoldAreNotAllocated) {
@@ -160,13 +153,13 @@ TEST(StoreReading, SizesThatTheFileCannotHoldAreNotAllocated) {
   }
   Store const store(scratch / "a.h5", Store::Mode::read);
   for (char const* name : {"huge", "packed and huge"}) {
-    expect_words(refusal([&] { store.read_doubles(name); }), {name, "1099511627776", "damaged"});
-    expect_words(refusal([&] { store.read_row(name, 1); }), {name, "damaged"});
+    expect_words(error_text([&] { store.read_doubles(name); }), {name, "1099511627776", "damaged"});
+    expect_words(error_text([&] { store.read_row(name, 1); }), {name, "damaged"});
   }
   EXPECT_EQ(store.read_doubles("small"), Doubles(2000, 0.0)); // HDF5's value of what was never written
   EXPECT_EQ(store.read_doubles("packed").size(), std::size_t{1} << 20);
   EXPECT_TRUE(store.read_doubles("null").empty());
-  expect_words(refusal([&] { store.read_integers("unsigned"); }), {"unsigned", "must be"});
+  expect_words(error_text([&] { store.read_integers("unsigned"); }), {"unsigned", "must be"});
 }
 
 TEST(StoreReading, ABrokenFileIsTheInputsFault) {
@@ -182,7 +175,7 @@ TEST(StoreReading, ABrokenFileIsTheInputsFault) {
     std::filesystem::copy_file(scratch / "a.h5", scratch / "b.h5",
                                std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(scratch / "b.h5", size);
-    expect_words(refusal([&] { Store(scratch / "b.h5", Store::Mode::read).read_doubles("R"); }), {"b.h5"});
+    expect_words(error_text([&] { Store(scratch / "b.h5", Store::Mode::read).read_doubles("R"); }), {"b.h5"});
     ++tried;
   }
   EXPECT_EQ(tried, 5u);

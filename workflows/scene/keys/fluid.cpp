@@ -31,53 +31,44 @@ std::vector<SceneKey> title_and_method_keys() {
 }
 
 std::vector<SceneKey> fluid_keys() {
+  Table const fluid{"fluid", &Scene::fluid};
   return {
-      Line(
-          "fluid", "eos", [](Scene& s) { return &s.fluid.eos; },
-          "a name of `eos list` (argon, tin, lj ...), or the path of a fitted model, seen from the scene's "
-          "folder")
+      fluid("eos", &Scene::Fluid::eos,
+            "a name of `eos list` (argon, tin, lj ...), or the path of a fitted model, seen from the scene's "
+            "folder")
           .required()
           .of<sdpd::Sdpd>(),
-      Line(
-          "fluid", "rho", [](Scene& s) { return &s.fluid.rho; },
-          "mean density, mass per volume. N particles of mass m fill the volume N m/rho: with units = "
-          "\"lj\", "
-          "dpd and dpde, rho is the number density times particles.mass")
+      fluid("rho", &Scene::Fluid::rho,
+            "mean density, mass per volume. N particles of mass m fill the volume N m/rho: with units = "
+            "\"lj\", "
+            "dpd and dpde, rho is the number density times particles.mass")
           .required()
           .quantity(Dimension::density, positive),
-      Line(
-          "fluid", "T", [](Scene& s) { return &s.fluid.T; }, "temperature")
-          .required()
-          .quantity(Dimension::temperature, positive),
-      Line(
-          "fluid", "m0", [](Scene& s) { return &s.fluid.m0; }, "mass of one molecule; ideal-gas only")
+      fluid("T", &Scene::Fluid::T, "temperature").required().quantity(Dimension::temperature, positive),
+      fluid("m0", &Scene::Fluid::m0, "mass of one molecule; ideal-gas only")
           .quantity(Dimension::mass, positive)
           .of<sdpd::Sdpd>(),
-      Line(
-          "fluid", "centre_of_mass", [](Scene& s) { return &s.fluid.centre_of_mass; },
-          "free: the particles' equation of state is the bulk's less what their moving centres of mass "
-          "carry, "
-          "so that totals do not depend on K; bulk: it is the bulk's")
+      fluid("centre_of_mass", &Scene::Fluid::centre_of_mass,
+            "free: the particles' equation of state is the bulk's less what their moving centres of mass "
+            "carry, "
+            "so that totals do not depend on K; bulk: it is the bulk's")
           .choices({"free", "bulk"})
           .of<sdpd::Sdpd>(),
   };
 }
 
 std::vector<SceneKey> transport_keys() {
+  Table const transport{"transport", &Scene::transport};
   return {
-      Line(
-          "transport", "eta", [](Scene& s) { return &s.transport.eta; }, "shear viscosity")
+      transport("eta", &Scene::Transport::eta, "shear viscosity")
           .required()
           .quantity(Dimension::viscosity, positive)
           .of<sdpd::Sdpd>(),
-      Line(
-          "transport", "zeta", [](Scene& s) { return &s.transport.zeta; },
-          "bulk viscosity, less than 5 eta / 3")
+      transport("zeta", &Scene::Transport::zeta, "bulk viscosity, less than 5 eta / 3")
           .quantity(Dimension::viscosity, not_negative)
           .of<sdpd::Sdpd>(),
-      Line(
-          "transport", "kappa", [](Scene& s) { return &s.transport.kappa; },
-          "thermal conductivity; 0: particles exchange heat by friction alone")
+      transport("kappa", &Scene::Transport::kappa,
+                "thermal conductivity; 0: particles exchange heat by friction alone")
           .quantity(Dimension::conductivity, not_negative)
           .of<sdpd::Sdpd>(),
   };

@@ -34,4 +34,17 @@ struct Line {
   operator SceneKey() && { return std::move(key); }
 };
 
+/// One table of a scene: its name, and the part of the scene that its keys fill.
+template <class Part>
+struct Table {
+  std::string section;
+  Part Scene::*part;
+
+  template <class Member>
+  Line operator()(std::string name, Member Part::*member, std::string meaning) const {
+    return {section, std::move(name), [part = part, member](Scene& s) -> Slot { return &(s.*part.*member); },
+            std::move(meaning)};
+  }
+};
+
 } // namespace mesobridge::workflows

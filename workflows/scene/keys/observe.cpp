@@ -32,42 +32,36 @@ std::string series_text() {
 } // namespace
 
 std::vector<SceneKey> observe_keys() {
+  Table const profile{"profile", &Scene::profile};
+  Table const histogram{"histogram", &Scene::histogram};
   return {
-      Line(
-          "profile", "axis", [](Scene& s) { return &s.profile.axis; },
-          "direction of the profile: its slices are perpendicular to it")
+      profile("axis", &Scene::Profile::axis, "direction of the profile: its slices are perpendicular to it")
           .choices({"x", "y", "z"}),
-      Line(
-          "profile", "bins", [](Scene& s) { return &s.profile.bins; }, "slices of equal width")
-          .in({.min = 1, .max = 1e6}),
-      Line(
-          "profile", "every", [](Scene& s) { return &s.profile.every; },
-          "steps between profiles, of one instant each, under `profile` of run.h5; 0: none")
+      profile("bins", &Scene::Profile::bins, "slices of equal width").in({.min = 1, .max = 1e6}),
+      profile("every", &Scene::Profile::every,
+              "steps between profiles, of one instant each, under `profile` of run.h5; 0: none")
           .in(not_negative),
-      Line(
-          "profile", "quantities", [](Scene& s) { return &s.profile.quantities; },
+      profile(
+          "quantities", &Scene::Profile::quantities,
           "means over the particles of a slice: rho (dpde, dpd: mass per volume), velocity, T_kin (of the "
           "motion about that velocity), T_int (not dpd), P_internal (of the particles' own pressures, sdpd), "
           "P (with what the moving particles carry; dpde, dpd: by their virials). []: all that the method "
           "has")
           .choices(names_of(profile_quantities())),
-      Line(
-          "histogram", "bins", [](Scene& s) { return &s.histogram.bins; }, "of equal width")
-          .in({.min = 1, .max = 1e6}),
-      Line(
-          "histogram", "every", [](Scene& s) { return &s.histogram.every; },
+      histogram("bins", &Scene::Histogram::bins, "of equal width").in({.min = 1, .max = 1e6}),
+      histogram(
+          "every", &Scene::Histogram::every,
           "steps between histograms over all particles, of one instant each, under `histogram` of run.h5; 0: "
           "none")
           .in(not_negative),
-      Line(
-          "histogram", "reach", [](Scene& s) { return &s.histogram.reach; },
+      histogram(
+          "reach", &Scene::Histogram::reach,
           "bins reach from the mean of the first histogram's particles so many of their standard deviations "
           "either "
           "way; what lies beyond is counted as well")
           .in({.min = 0, .open = true, .max = 1e6}),
-      Line(
-          "histogram", "quantities", [](Scene& s) { return &s.histogram.quantities; },
-          "of the particles: eps and T (not dpd), rho and P (sdpd). []: all that the method has")
+      histogram("quantities", &Scene::Histogram::quantities,
+                "of the particles: eps and T (not dpd), rho and P (sdpd). []: all that the method has")
           .choices(names_of(histogram_quantities())),
       Line(
           "series", "every", [](Scene& s) { return &s.series.every; },

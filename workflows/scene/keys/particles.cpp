@@ -5,33 +5,28 @@
 namespace mesobridge::workflows {
 
 std::vector<SceneKey> particle_keys() {
+  Table const particles{"particles", &Scene::particles};
   return {
-      Line(
-          "particles", "N", [](Scene& s) { return &s.particles.N; }, "how many particles")
-          .required()
-          .in(at_least_one),
-      Line(
-          "particles", "K", [](Scene& s) { return &s.particles.K; }, "size: molecules in one particle")
+      particles("N", &Scene::Particles::N, "how many particles").required().in(at_least_one),
+      particles("K", &Scene::Particles::K, "size: molecules in one particle")
           .required()
           .in(sdpd::Sdpd::sizes)
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "kernel", [](Scene& s) { return &s.particles.kernel; },
+      particles(
+          "kernel", &Scene::Particles::kernel,
           "smoothing kernel. Wendland's do not let particles pair; the cubic and Lucy's do, from about 60 "
           "neighbours on, and pressure and density drift with the pairs")
           .choices(sdpd::kernel_names())
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "h_factor", [](Scene& s) { return &s.particles.h_factor; },
-          "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
+      particles("h_factor", &Scene::Particles::h_factor,
+                "support of the kernel in mean spacings, h = h_factor (m/rho)^(1/3)")
           .in(sdpd::Sdpd::supports)
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "disorder", [](Scene& s) { return &s.particles.disorder; },
-          "standard deviation of the initial displacements from a cubic lattice, in its spacings")
+      particles("disorder", &Scene::Particles::disorder,
+                "standard deviation of the initial displacements from a cubic lattice, in its spacings")
           .in(sdpd::SimulationSettings::disorders),
-      Line(
-          "particles", "density", [](Scene& s) { return &s.particles.density; },
+      particles(
+          "density", &Scene::Particles::density,
           "constants c, eps of rho_i = c sum_j m_j W_ij - eps m_i W_ii(0): 1 and 0 (plain); those of a "
           "glass; "
           "given by the next two keys; or calibrated: found by a short run of this fluid and size, so that "
@@ -45,24 +40,21 @@ std::vector<SceneKey> particle_keys() {
           "is too small; plain where there is no noise, nothing moves or the fluid is under tension")
           .choices({"auto", "plain", "glass", "given", "calibrated", "calibrated-response"})
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "density_scale", [](Scene& s) { return &s.particles.density_scale; },
-          "c; with density = given, calibrated or auto")
+      particles("density_scale", &Scene::Particles::density_scale,
+                "c; with density = given, calibrated or auto")
           .in({.min = 0, .open = true, .max = 10})
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "density_self", [](Scene& s) { return &s.particles.density_self; },
-          "eps, between -c and c; with density = given, calibrated or auto")
+      particles("density_self", &Scene::Particles::density_self,
+                "eps, between -c and c; with density = given, calibrated or auto")
           .in({.min = -10, .max = 10})
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "calibration_steps", [](Scene& s) { return &s.particles.calibration_steps; },
+      particles(
+          "calibration_steps", &Scene::Particles::calibration_steps,
           "steps of a calibration, of at most about 1000 particles, from 200 on; 0: a quarter of the run's, "
           "from 200 to 6000")
           .in({.min = 0, .max = 1e9})
           .of<sdpd::Sdpd>(),
-      Line(
-          "particles", "mass", [](Scene& s) { return &s.particles.mass; }, "mass of one particle")
+      particles("mass", &Scene::Particles::mass, "mass of one particle")
           .required()
           .quantity(Dimension::mass, positive)
           .of<sdpd::Dpde, sdpd::Dpd>(),

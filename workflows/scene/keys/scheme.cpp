@@ -24,13 +24,13 @@ std::string conservative_summaries() {
 } // namespace
 
 std::vector<SceneKey> scheme_keys() {
+  Table const scheme{"scheme", &Scene::scheme};
   return {
-      Line(
-          "scheme", "name", [](Scene& s) { return &s.scheme.name; },
-          "what is done with the fluctuation and dissipation of a pair: " + pair_scheme_summaries())
+      scheme("name", &Scene::Scheme::name,
+             "what is done with the fluctuation and dissipation of a pair: " + pair_scheme_summaries())
           .choices(sdpd::pair_integrator_names()),
-      Line(
-          "scheme", "dt", [](Scene& s) { return &s.scheme.dt; },
+      scheme(
+          "dt", &Scene::Scheme::dt,
           "time step. A plain number is in the reduced unit of time: for sdpd (m/rho)^(1/3) (m_0/k_B "
           "T)^(1/2) "
           "with the particle's mass m (sdpd/README.md, Eq. (S1)), for dpd and dpde the cut-off of the "
@@ -42,35 +42,29 @@ std::vector<SceneKey> scheme_keys() {
           "short study for the wanted drift or bias")
           .required()
           .quantity(Dimension::time, positive),
-      Line(
-          "scheme", "drift", [](Scene& s) { return &s.scheme.drift; },
+      scheme(
+          "drift", &Scene::Scheme::drift,
           "with dt = \"auto\": wanted rate of the relative energy error, such as \"1e-6/ps\" (a plain number "
           "per unit of time when units = \"lj\")"),
-      Line(
-          "scheme", "bias", [](Scene& s) { return &s.scheme.bias; },
-          "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
-      Line(
-          "scheme", "dt_chosen_for", [](Scene& s) { return &s.scheme.dt_chosen_for; },
-          "written by the program: the wish that dt was chosen for"),
-      Line(
-          "scheme", "splitting", [](Scene& s) { return &s.scheme.splitting; },
-          "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
-          "either side (strang)")
+      scheme("bias", &Scene::Scheme::bias,
+             "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
+      scheme("dt_chosen_for", &Scene::Scheme::dt_chosen_for,
+             "written by the program: the wish that dt was chosen for"),
+      scheme("splitting", &Scene::Scheme::splitting,
+             "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
+             "either side (strang)")
           .choices({"lie-trotter", "strang"}),
-      Line(
-          "scheme", "conservative", [](Scene& s) { return &s.scheme.conservative; },
-          "integrator of the conservative forces: " + conservative_summaries())
+      scheme("conservative", &Scene::Scheme::conservative,
+             "integrator of the conservative forces: " + conservative_summaries())
           .choices(sdpd::conservative_names()),
-      Line(
-          "scheme", "fluctuate_every", [](Scene& s) { return &s.scheme.fluctuate_every; },
-          "conservative steps for one of fluctuation and dissipation (multiple time steps)")
+      scheme("fluctuate_every", &Scene::Scheme::fluctuate_every,
+             "conservative steps for one of fluctuation and dissipation (multiple time steps)")
           .in({.min = 1, .max = 1e6}),
-      Line(
-          "scheme", "energy", [](Scene& s) { return &s.scheme.energy; },
-          "free, or kept: what the time step loses is given back to the internal energies")
+      scheme("energy", &Scene::Scheme::energy,
+             "free, or kept: what the time step loses is given back to the internal energies")
           .choices({"free", "kept"}),
-      Line(
-          "scheme", "noise", [](Scene& s) { return &s.scheme.noise; },
+      scheme(
+          "noise", &Scene::Scheme::noise,
           "on, or off: viscous smoothed particle hydrodynamics, which starts at rest and whose densities are "
           "plain unless the scene says otherwise")
           .choices({"on", "off"})

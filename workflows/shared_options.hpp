@@ -1,0 +1,36 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace mesobridge::workflows {
+
+/// Options that several commands have. The values that they go to live as long as the parser.
+
+/// --preset: quick, standard or paper.
+CLI::Option* add_preset(CLI::App& app, std::string& preset, std::string const& text);
+
+/// The scene's file, and --set for its keys.
+void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set);
+
+/// Not for users: run_on_ranks says by it that another process tells the result.
+void add_started_by_ourselves(CLI::App& app, bool& started_by_ourselves);
+
+/// --checkpoint-every and --resume of a run of LAMMPS on several ranks, and the word for its ranks.
+void add_restarts(CLI::App& app, std::int64_t& checkpoint_every, bool& resume, bool& started_by_ourselves);
+
+/// One of several words; the help shows the default.
+void add_choice(CLI::App& app, std::string const& name, std::string& value,
+                std::vector<std::string> const& choices, std::string const& text);
+
+/// Numbers separated by commas; the help's text says what they are where none are given.
+void add_list(CLI::App& app, std::string const& name, std::vector<double>& values, std::string const& text);
+
+/// A number within bounds; the help shows the default.
+template <class Number, class Bound>
+void add_bounded(CLI::App& app, std::string const& name, Number& value, Bound least, Bound most,
+                 std::string const& text) {
+  app.add_option(name, value, text)->check(CLI::Range(least, most))->capture_default_str();
+}
+
+} // namespace mesobridge::workflows
