@@ -168,7 +168,7 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nzeta = \"-1 mPa*s\"", {"bad.toml:12", "transport.zeta", ">= 0"}},
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = 0.1", {"bad.toml:12", "transport.kappa = 0.1", "W/(m*K)"}},
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = \"-1 W/(m*K)\"", {"bad.toml:12", "transport.kappa", ">= 0"}},
-      {"\"1.5 fs\"", "0.1\nname = \"ems\"\nnoise = \"off\"", {"bad.toml:15", "scheme.noise", "Metropolis"}},
+      {"\"1.5 fs\"", "0.1\nname = \"ems\"\nnoise = \"off\"", {"bad.toml:14", "scheme.name", "without noise", "Metropolis"}},
       {"steps = 100", "steps = 100\nbath_rate = 0", {"bad.toml:16", "run.bath_rate = 0", "> 0"}},
       {"1.5 fs", "-1.5 fs", {"bad.toml:13", "scheme.dt", "> 0"}},
       {"\"1.5 fs\"", "0", {"bad.toml:13", "scheme.dt = 0", "> 0"}},
