@@ -60,6 +60,8 @@ std::string missing(Needs const& needs, Features const& particles, bool noise) {
     return fmt::format("without noise {}", needs.noise);
   if (!particles.energies && !needs.internal_energies.empty())
     return fmt::format("the particles have no internal energies, so {}", needs.internal_energies);
+  if (particles.energies && !needs.no_internal_energies.empty())
+    return fmt::format("the particles have internal energies, and {}", needs.no_internal_energies);
   if (!particles.densities && !needs.densities.empty())
     return std::string(needs.densities);
   return {};
