@@ -12,6 +12,7 @@ PairIntegrator ser_integrator();
 PairIntegrator implicit_integrator();
 PairIntegrator hybrid_integrator();
 PairIntegrator entropy_integrator();
+PairIntegrator lowe_andersen_integrator();
 
 ConservativeIntegrator verlet_integrator();
 ConservativeIntegrator two_stage_integrator();
@@ -21,7 +22,7 @@ ConservativeIntegrator no_integrator();
 std::vector<PairIntegrator> const& pair_integrators() {
   static std::vector const list{
       ssa_integrator(),      ams_integrator(),    ems_integrator(),     ser_integrator(),
-      implicit_integrator(), hybrid_integrator(), entropy_integrator(),
+      implicit_integrator(), hybrid_integrator(), entropy_integrator(), lowe_andersen_integrator(),
   };
   return list;
 }
