@@ -8,7 +8,7 @@ namespace mesobridge::sdpd {
 
 /// What an integrator cannot do without, each with the reason; empty where it can.
 struct Needs {
-  std::string_view noise, internal_energies, densities;
+  std::string_view noise, internal_energies, no_internal_energies, densities;
 };
 
 /// A way to integrate the pairs' fluctuation and dissipation (sdpd/README.md, Eq. (S11)) over dt at fixed

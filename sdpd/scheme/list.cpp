@@ -12,6 +12,7 @@ PairIntegrator ser_integrator();
 PairIntegrator implicit_integrator();
 PairIntegrator hybrid_integrator();
 PairIntegrator entropy_integrator();
+PairIntegrator lowe_andersen_integrator();
 
 ConservativeIntegrator verlet_integrator();
 ConservativeIntegrator two_stage_integrator();
@@ -21,7 +22,7 @@ ConservativeIntegrator no_integrator();
 std::vector<PairIntegrator> const& pair_integrators() {
   static std::vector const list{
       ssa_integrator(),      ams_integrator(),    ems_integrator(),     ser_integrator(),
-      implicit_integrator(), hybrid_integrator(), entropy_integrator(),
+      implicit_integrator(), hybrid_integrator(), entropy_integrator(), lowe_andersen_integrator(),
   };
   return list;
 }
@@ -60,6 +61,8 @@ std::string missing(Needs const& needs, Features const& particles, bool noise) {
     return fmt::format("without noise {}", needs.noise);
   if (!particles.energies && !needs.internal_energies.empty())
     return fmt::format("the particles have no internal energies, so {}", needs.internal_energies);
+  if (particles.energies && !needs.no_internal_energies.empty())
+    return fmt::format("the particles have internal energies, and {}", needs.no_internal_energies);
   if (!particles.densities && !needs.densities.empty())
     return std::string(needs.densities);
   return {};
