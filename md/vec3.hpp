@@ -34,6 +34,13 @@ inline double dot(Vec3 const& a, Vec3 const& b) {
 inline double norm2(Vec3 const& a) {
   return dot(a, a);
 }
+/// The component along an axis, 0, 1, 2 for x, y, z.
+inline double& component(Vec3& a, int axis) {
+  return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+inline double component(Vec3 const& a, int axis) {
+  return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
 inline double norm(Vec3 const& a) {
   return std::sqrt(norm2(a));
 }

@@ -24,6 +24,14 @@ void place_on_lattice(Particles& particles, SimulationSettings const& settings) 
       }
 }
 
+/// Disorder may have led some of them through a wall.
+void put_before_walls(System& system) {
+  for (auto const& wall : system.walls)
+    for (auto& q : system.particles.q)
+      if (double const depth = -wall.distance(q, 0); depth > 0)
+        component(q, wall.axis) += wall.upper ? -2 * depth : 2 * depth;
+}
+
 /// Maxwell velocities at T = 1 whose sum is zero and whose kinetic energy is exactly (3/2)(N-1) k_B T.
 void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
   NoiseSource const source(seed, Stream::initial_velocities, 0);
@@ -56,6 +64,7 @@ System empty_system(SimulationSettings const& s) {
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
+          .walls = make_walls(s.faces, box_of(s).edge, s.units().velocity(), s.units().time()),
           .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};
@@ -69,6 +78,7 @@ std::unique_ptr<System> build(SimulationSettings const& s) {
   if (!system->species.empty())
     system->species_of_id = draw_species(system->species, s.particle_count(), s.seed);
   system->label_particles();
+  put_before_walls(*system);
   if (s.noise)
     draw_momenta(system->particles, system->boltzmann, s.seed);
   std::fill(system->particles.T.begin(), system->particles.T.end(), 1.0);

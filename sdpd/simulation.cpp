@@ -39,6 +39,15 @@ Box const& Simulation::box() const {
 std::size_t Simulation::size() const {
   return system_->particles.size();
 }
+std::vector<Wall> const& Simulation::walls() const {
+  return system_->walls;
+}
+double Simulation::wall_time() const {
+  return system_->wall_time;
+}
+void Simulation::hold_walls(bool hold) {
+  system_->walls_held = hold;
+}
 PairCounts Simulation::pair_counts() const {
   return system_->pair_counts;
 }

@@ -10,7 +10,7 @@ namespace mesobridge::sdpd {
 
 struct System;
 
-/// An SDPD, DPDE or DPD fluid in a periodic box, integrated by Velocity Verlet and a
+/// An SDPD, DPDE or DPD fluid in a box, integrated by Velocity Verlet and a
 /// scheme for fluctuation and dissipation. All results in reduced units
 /// (units()). Results are identical to the bit for any number of threads.
 class Simulation {
@@ -64,6 +64,12 @@ class Simulation {
   double compression_response() const;
   /// See observe/pairing.hpp.
   double pairing_fraction() const;
+
+  /// The walls of the box, with what they have done so far.
+  std::vector<Wall> const& walls() const;
+  double wall_time() const; ///< since they began to move
+  /// Moving walls wait where they are until they are let go.
+  void hold_walls(bool hold);
 
   Checkpoint checkpoint() const;
   /// Throws InputError when the checkpoint does not belong to these settings.

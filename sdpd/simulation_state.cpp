@@ -25,10 +25,14 @@ void check_lengths(Checkpoint const& c, Particles const& of) {
 
 /// What is asked of positions and fields before cells are looked up by them.
 void check_values(Checkpoint const& c, Box const& box) {
-  auto within = [](double value, double edge) { return value >= 0 && value <= edge; };
+  auto within = [&](Vec3 const& q, int axis) {
+    double const value = component(q, axis);
+    return box.periodic[static_cast<unsigned>(axis)] ? value >= 0 && value <= component(box.edge, axis)
+                                                     : std::isfinite(value);
+  };
   for (auto const& q : c.q_at_renewal)
-    require(within(q.x, box.edge.x) && within(q.y, box.edge.y) && within(q.z, box.edge.z),
-            "a position in the checkpoint", fmt::format("({}, {}, {})", q.x, q.y, q.z),
+    require(within(q, 0) && within(q, 1) && within(q, 2), "a position in the checkpoint",
+            fmt::format("({}, {}, {})", q.x, q.y, q.z),
             fmt::format("must be in the box of {} x {} x {}", box.edge.x, box.edge.y, box.edge.z));
   double const furthest = std::min({box.edge.x, box.edge.y, box.edge.z});
   for (std::size_t i = 0; i < c.particles.q.size(); ++i) {
@@ -48,6 +52,16 @@ void take_checkpointed(Particles& to, Particles const& from) {
   for (auto const& field : fields)
     if (field.checkpointed)
       to.*field.values = from.*field.values;
+}
+
+void restore_walls(System& system, std::vector<double> const& of) {
+  std::size_t const numbers = system.walls.empty() ? 0 : 2 * system.walls.size() + 1;
+  require(of.size() == numbers, "numbers of walls in the checkpoint", of.size(),
+          fmt::format("must be {} as in the scene", numbers));
+  for (std::size_t k = 0; k < system.walls.size(); ++k)
+    system.walls[k].impulse = of[2 * k], system.walls[k].work = of[2 * k + 1];
+  if (!of.empty())
+    system.wall_time = of.back();
 }
 
 } // namespace
@@ -85,6 +99,10 @@ Checkpoint Simulation::checkpoint() const {
                .pair_counts = system_->pair_counts,
                .conduction_counts = system_->conduction_counts};
   take_checkpointed(c.particles, system_->particles);
+  for (auto const& wall : system_->walls)
+    c.walls.insert(c.walls.end(), {wall.impulse, wall.work});
+  if (!c.walls.empty())
+    c.walls.push_back(system_->wall_time);
   return c;
 }
 
@@ -98,6 +116,7 @@ void Simulation::restore(Checkpoint const& c) {
   particles.q = c.q_at_renewal;
   system_->neighbours.renew(particles);
   particles.q = c.particles.q;
+  restore_walls(*system_, c.walls);
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
@@ -109,6 +128,7 @@ void Simulation::begin_from(Checkpoint const& c) {
   check_lengths(c, particles);
   take_checkpointed(particles, c.particles);
   system_->label_particles();
+  restore_walls(*system_, c.walls);
   system_->step = c.step;
   system_->neighbours.renew(particles);
   refresh(*system_);

@@ -1,4 +1,5 @@
 #include "sdpd/conservative/conservative.hpp"
+#include "sdpd/boundary/mirror.hpp"
 #include <numeric>
 
 namespace mesobridge::sdpd {
@@ -17,6 +18,7 @@ void kick(System& system, double dt) {
   auto& particles = system.particles;
   for_each_index(particles.size(), system.threads,
                  [&](std::size_t i) { particles.p[i] += particles.f[i] * dt; });
+  count_wall_impulses(system, dt);
 }
 
 void kick_and_drift(System& system, double kick_dt, double drift_dt) {
@@ -31,6 +33,8 @@ void kick_and_drift(System& system, double kick_dt, double drift_dt) {
     move([](std::size_t) { return 1.0; });
   else
     move([&](std::size_t i) { return 1 / particles.mass[i]; });
+  count_wall_impulses(system, kick_dt);
+  move_walls(system, drift_dt);
 }
 
 void refresh_lists(System& system) {

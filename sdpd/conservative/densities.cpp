@@ -1,3 +1,4 @@
+#include "sdpd/boundary/mirror.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/neighbours/for_each_block.hpp"
 #include "sdpd/neighbours/select_pairs.hpp"
@@ -63,6 +64,7 @@ void find_pairs_and_densities(System& system) {
   with_masses(system, [&](auto masses) {
     std::visit([&](auto const& kernel) { find_pairs_and_densities(system, kernel, masses); }, system.kernel);
   });
+  add_wall_densities(system);
 }
 
 } // namespace mesobridge::sdpd

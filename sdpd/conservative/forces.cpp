@@ -1,3 +1,4 @@
+#include "sdpd/boundary/mirror.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/system/masses.hpp"
 #include "sdpd/system/pair_loop.hpp"
@@ -46,6 +47,7 @@ void find_forces(System& system) {
   with_masses(system, [&](auto masses) {
     std::visit([&](auto const& kernel) { find_forces(system, kernel, masses); }, system.kernel);
   });
+  add_wall_forces(system);
 }
 
 } // namespace mesobridge::sdpd

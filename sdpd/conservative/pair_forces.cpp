@@ -1,4 +1,5 @@
 #include "sdpd/conservative/pair_forces.hpp"
+#include "sdpd/boundary/mirror.hpp"
 #include "sdpd/neighbours/select_pairs.hpp"
 #include "sdpd/system/pair_loop.hpp"
 #include <bit>
@@ -90,6 +91,7 @@ void find_pair_forces(System& system) {
   set_all(system, system.particles.f, Vec3{});
   std::visit([&](auto const& potential) { find_pair_forces(system, potential); }, system.potential);
   system.potential_energy = total(system.block_energy), system.virial = total(system.block_virial);
+  add_wall_pair_forces(system);
 }
 
 } // namespace mesobridge::sdpd

@@ -14,7 +14,7 @@ std::vector<std::uint32_t> domains(System const& system) {
   for (std::size_t i = 0; i < of.size(); ++i) {
     Vec3 const q = system.box.wrap(system.particles.q[i]);
     auto const part = [](double at, double length) {
-      return std::min(static_cast<std::uint32_t>(at / length * hybrid_domains), hybrid_domains - 1);
+      return static_cast<std::uint32_t>(std::clamp(at / length * hybrid_domains, 0.0, hybrid_domains - 1.0));
     };
     of[i] = (part(q.z, edge.z) * hybrid_domains + part(q.y, edge.y)) * hybrid_domains + part(q.x, edge.x);
   }

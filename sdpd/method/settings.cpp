@@ -47,7 +47,8 @@ bool SimulationSettings::conducts() const {
 }
 
 Box box_of(SimulationSettings const& s) {
-  return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])}};
+  return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])},
+          periodic_axes(s.faces)};
 }
 
 double skin_of(SimulationSettings const& s) {
@@ -113,6 +114,7 @@ void check(SimulationSettings const& s) {
   require(s.disorders.contains(s.disorder), "disorder", s.disorder,
           s.disorders.demand() + " lattice spacings");
   check_lattice(s);
+  check(s.faces);
   require(not_negative.contains(s.bath_rate), "rate of the bath", s.bath_rate, not_negative.demand());
   require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
   check(s.scheme, s.features(), s.noise);

@@ -68,12 +68,14 @@ void require_cells(Box const& box, double range) {
   require(range > 0 && std::isfinite(range), "range of the interaction", range,
           "must be > 0 and finite (reduced units)");
   double cells = 1;
-  for (double const edge : {box.edge.x, box.edge.y, box.edge.z}) {
-    require(edge >= 2 * range && std::isfinite(edge), "box edge", edge,
-            fmt::format("must be at least twice the range of the interaction, {:.6g} (kernel support and "
+  std::array<double, 3> const edges{box.edge.x, box.edge.y, box.edge.z};
+  for (unsigned d = 0; d < 3; ++d) {
+    double const edge = edges[d], least = (box.periodic[d] ? 2 : 1) * range;
+    require(edge >= least && std::isfinite(edge), "box edge", edge,
+            fmt::format("must be at least {} the range of the interaction, {:.6g} (kernel support and "
                         "skin, reduced units): take more particles",
-                        2 * range));
-    cells *= std::floor(edge / range);
+                        box.periodic[d] ? "twice" : "as long as", least));
+    cells *= std::floor(edge / range) + (box.periodic[d] ? 0 : 1);
   }
   require(cells <= std::numeric_limits<Index>::max(), "cells of the box", cells,
           fmt::format("must be <= {}: its particles are too far apart for the range of their interaction",
@@ -81,8 +83,10 @@ void require_cells(Box const& box, double range) {
 }
 
 CellGrid::CellGrid(Box box, double range)
-    : box_(checked(box, range)), n_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
-                                    cells_along(box.edge.z, range)} {
+    : box_(checked(box, range)), filled_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
+                                         cells_along(box.edge.z, range)} {
+  for (unsigned d = 0; d < 3; ++d)
+    n_[d] = filled_[d] + (box.periodic[d] ? 0 : 1);
   std::array<std::vector<Stretch>, 3> const along{stretches(n_[0]), stretches(n_[1]), stretches(n_[2])};
   std::array<std::vector<Block>, 8> phases; // even and odd stretches along each edge
   for_each_place({static_cast<Index>(along[0].size()), static_cast<Index>(along[1].size()),
@@ -100,10 +104,10 @@ CellGrid::CellGrid(Box box, double range)
 
 Index CellGrid::cell_of(Vec3 const& q) const {
   auto along = [](double value, double edge, Index n) {
-    return std::min(static_cast<Index>(value / edge * n), n - 1);
+    return static_cast<Index>(std::clamp(value / edge * n, 0.0, n - 1.0));
   };
-  return (along(q.z, box_.edge.z, n_[2]) * n_[1] + along(q.y, box_.edge.y, n_[1])) * n_[0] +
-         along(q.x, box_.edge.x, n_[0]);
+  return (along(q.z, box_.edge.z, filled_[2]) * n_[1] + along(q.y, box_.edge.y, filled_[1])) * n_[0] +
+         along(q.x, box_.edge.x, filled_[0]);
 }
 
 Block CellGrid::block_at(std::array<Index, 3> const& corner, std::array<Index, 3> const& width) {

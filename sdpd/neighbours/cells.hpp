@@ -20,19 +20,21 @@ struct Block {
   std::span<CellPair const> pairs; ///< the pairs of its cells that belong to it
 };
 
-/// A grid of cells whose edges are at least the range of the interaction. The cells are covered by blocks
+/// A grid of cells whose edges are at least the range of the interaction. Along an edge that is not periodic
+/// a layer of cells without particles ends it, across which there are no neighbours, and the outermost cells
+/// hold all that lies beyond the box. The cells are covered by blocks
 /// that overlap by one cell; together the blocks hold every pair of touching cells once. Blocks come in
 /// phases: within one phase no two blocks share a cell, so that threads may treat them at the same time, and
 /// the result of a sweep depends on the order of the phases alone, not on the number of threads.
 class CellGrid {
  public:
-  /// Throws InputError when an edge of the box is shorter than twice the range.
+  /// Throws InputError when an edge of the box is shorter than twice the range, or once if not periodic.
   CellGrid(Box box, double range);
   CellGrid(CellGrid&&) noexcept = default; // its blocks refer to its pairs
   CellGrid& operator=(CellGrid&&) noexcept = default;
 
   std::size_t cell_count() const { return std::size_t{n_[0]} * n_[1] * n_[2]; }
-  Index cell_of(Vec3 const& q_wrapped) const;
+  Index cell_of(Vec3 const& q_wrapped) const; ///< of a finite position
 
   /// The blocks, phase after phase.
   std::span<Block const> blocks() const { return blocks_; }
@@ -45,14 +47,15 @@ class CellGrid {
   std::span<CellPair const> pairs_of(std::array<Index, 3> const& width);
 
   Box box_;
+  std::array<Index, 3> filled_; ///< cells along each edge that hold particles
   std::array<Index, 3> n_;
   std::map<std::array<Index, 3>, std::vector<CellPair>> pairs_; ///< by the widths of a block
   std::vector<Block> blocks_;
   std::vector<std::size_t> phase_begin_{0};
 };
 
-/// Throws InputError when an edge of the box is shorter than twice the range, or when there are more cells of
-/// that range in it than can be counted.
+/// Throws InputError when an edge of the box is shorter than twice the range, or once if it is not periodic,
+/// or when there are more cells of that range in it than can be counted.
 void require_cells(Box const& box, double range);
 
 } // namespace mesobridge::sdpd

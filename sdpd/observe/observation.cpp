@@ -22,7 +22,7 @@ Observation observe(System const& system) {
     if (densities)
       sum.rho += particles.rho[i];
   }
-  double const count = static_cast<double>(n), volume = system.box.volume();
+  double const count = static_cast<double>(n), volume = system.volume();
   double const thermal = sum.kinetic - 0.5 * norm2(sum.momentum) / mass; // without the motion of the whole
   sum.T_kin = 2 * thermal / (3 * (count - 1) * system.boltzmann);
   if (energies)

@@ -5,17 +5,13 @@
 namespace mesobridge::sdpd {
 namespace {
 
-double component(Vec3 const& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-/// The slice of every particle.
+/// The slice of every particle; the first and the last hold what lies beyond an open face.
 std::vector<std::size_t> slices_of(Snapshot const& now, Box const& box, Slices const& slices) {
   double const per_length = static_cast<double>(slices.count) / component(box.edge, slices.axis);
   std::vector<std::size_t> slice(now.q.size());
-  for (std::size_t i = 0; i < slice.size(); ++i) // the product may round up to the count itself
-    slice[i] =
-        std::min(static_cast<std::size_t>(component(now.q[i], slices.axis) * per_length), slices.count - 1);
+  double const last = static_cast<double>(slices.count) - 1; // the product may round up to the count itself
+  for (std::size_t i = 0; i < slice.size(); ++i)
+    slice[i] = static_cast<std::size_t>(std::clamp(component(now.q[i], slices.axis) * per_length, 0.0, last));
   return slice;
 }
 

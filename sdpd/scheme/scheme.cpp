@@ -49,7 +49,7 @@ SubStep conduction(PairIntegrator const& pairs, double dt, bool second) {
 /// so that small cold ones stay above zero.
 void restore_energy(System& system) {
   auto& particles = system.particles;
-  double const missing = system.kept_energy - total_energy(system);
+  double const missing = system.kept_energy + system.wall_work() - total_energy(system);
   auto const heat = [&](std::size_t i) { return particles.T[i] / particles.caloric[i].inverse_C_0; };
   double const factor = missing / sum_over_particles(system, heat);
   for_each_range(system, [&](Range range) {

@@ -45,7 +45,7 @@ double relative_pressure(Target const& target) {
   return (target.P - target.motion) / target.bulk_modulus;
 }
 
-/// The lattice of the box that is run.
+/// The lattice of the box that is run, which is periodic.
 std::array<std::uint32_t, 3> small_box(SimulationSettings const& s) {
   constexpr double widest_skin = 0.7;
   double count = 1;
@@ -53,7 +53,8 @@ std::array<std::uint32_t, 3> small_box(SimulationSettings const& s) {
     count *= n;
   auto const side = static_cast<std::uint32_t>(
       std::max(std::round(std::cbrt(enough_particles)), std::ceil(2 * (s.range() + widest_skin))));
-  if (count > enough_particles && count > double(side) * side * side)
+  bool const periodic = periodic_axes(s.faces) == std::array{true, true, true};
+  if (!periodic || (count > enough_particles && count > double(side) * side * side))
     return {side, side, side};
   return s.lattice;
 }
@@ -194,6 +195,7 @@ DensityCalibration calibrate_density(SimulationSettings settings, ScaleCondition
                                      std::uint64_t steps, std::function<bool()> const& keep_going) {
   check(settings);
   settings.lattice = small_box(settings);
+  settings.faces = {};
   return Calibration(settings, condition, keep_going).run(steps);
 }
 

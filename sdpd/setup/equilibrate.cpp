@@ -14,7 +14,9 @@ constexpr double last_share = 0.5;
 
 Equilibration::Equilibration(Simulation& simulation, std::uint64_t steps,
                              EquilibrationProgress const& progress)
-    : simulation_(simulation), steps_(steps), progress_(progress) {}
+    : simulation_(simulation), steps_(steps), progress_(progress) {
+  simulation_.hold_walls(!is_done());
+}
 
 /// The run that the next step belongs to; a thermostat needs only one.
 Equilibration::Part Equilibration::part() const {
@@ -45,6 +47,7 @@ void Equilibration::advance() {
   if (!in_bath && !simulation_.has_thermostat())
     finish(now);
   progress_.sum_T_kin = progress_.sum_T_int = 0;
+  simulation_.hold_walls(!is_done());
 }
 
 /// Kinetic energy that the settling structure sets free is taken out on the way, but for the last run: a

@@ -12,7 +12,8 @@ struct EquilibrationProgress {
 
 /// equilibrate() in steps of the caller's, who may stop it, keep it and go on with it.
 ///
-/// Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps, at whose ends heat is added or taken out.
+/// Runs of 1/32, 1/32, 1/16, 1/8, 1/4 and 1/2 of the steps, at whose ends heat is added or taken out. Walls
+/// are held until the last step is done.
 class Equilibration {
  public:
   /// The simulation is fresh, or where it was at this progress.

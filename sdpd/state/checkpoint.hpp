@@ -12,6 +12,8 @@ struct Checkpoint {
   std::vector<Vec3> q_at_renewal; ///< of the neighbour lists
   double kept_energy = 0;         ///< see Scheme::keep_energy
   PairCounts pair_counts, conduction_counts;
+  /// Where there are walls: their time, and the impulse and work of each.
+  std::vector<double> walls = {};
 };
 
 } // namespace mesobridge::sdpd

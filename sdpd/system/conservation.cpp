@@ -47,8 +47,9 @@ double size_of_internal_energies(System const& system) {
 
 Amount momentum(System const& system) {
   auto const& p = system.particles.p;
+  Vec3 const of_walls = system.wall_impulse();
   auto sum = [&](double Vec3::*component) {
-    return sum_over_particles(system, [&](std::size_t i) { return p[i].*component; });
+    return sum_over_particles(system, [&](std::size_t i) { return p[i].*component; }) - of_walls.*component;
   };
   return {"the momentum", {sum(&Vec3::x), sum(&Vec3::y), sum(&Vec3::z)}, round_off * size_of_momenta(system)};
 }

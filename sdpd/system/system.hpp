@@ -5,13 +5,15 @@
 #include "sdpd/potential/list.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/state/species.hpp"
+#include "sdpd/state/wall.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include "sdpd/threads/team.hpp"
 #include <algorithm>
+#include <numeric>
 
 namespace mesobridge::sdpd {
 
-/// Everything that the sub-steps of a scheme work on: particles of one species or several in a periodic box,
+/// Everything that the sub-steps of a scheme work on: particles of one species or several in a box,
 /// in reduced units (sdpd/README.md, Eq. (S1)), where the mass is 1 and k_B = 1/K.
 struct System {
   Box box;
@@ -24,12 +26,15 @@ struct System {
   AnyPairLaw law;                                       ///< friction and noise
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
+  std::vector<Wall> walls; ///< at those faces of the box that have one
   Particles particles;
   double boltzmann;
   std::uint64_t seed;
   int threads;
   std::uint64_t step = 0;           ///< steps done; part of the noise's counter
   double dt = 0;                    ///< time step under way, for messages
+  double wall_time = 0;             ///< since the walls began to move
+  bool walls_held = false;          ///< they wait, and so does their time
   double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
   std::uint64_t renewals = 0;       ///< of the lists, since the start
   PairCounts pair_counts;           ///< since the start
@@ -49,6 +54,26 @@ struct System {
       particles.species[i] = species_of_id[particles.id[i]];
       particles.mass[i] = species[particles.species[i]].mass;
     }
+  }
+
+  /// Impulse that the walls have given.
+  Vec3 wall_impulse() const {
+    Vec3 sum;
+    for (auto const& wall : walls)
+      component(sum, wall.axis) += wall.impulse;
+    return sum;
+  }
+  double wall_work() const {
+    return std::accumulate(walls.begin(), walls.end(), 0.0,
+                           [](double sum, Wall const& wall) { return sum + wall.work; });
+  }
+  /// Between the walls; that of the box where there are none.
+  double volume() const {
+    double volume = box.volume();
+    for (auto const& wall : walls)
+      volume -= (wall.upper ? -1 : 1) * wall.motion.way_at(wall_time) * box.volume() /
+                component(box.edge, wall.axis);
+    return volume;
   }
 
   bool has_densities() const { return std::holds_alternative<SdpdLaw>(law); }

@@ -34,9 +34,9 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
 
 /// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
 std::vector<std::string> const rooms{
-    "simd",       "threads",        "state",      "kernel", "potential",    "friction",
-    "conduction", "thermodynamics", "neighbours", "system", "conservative", "fluctuation",
-    "scheme",     "method",         "observe",    "",       "setup"};
+    "simd",        "threads",        "state",      "kernel",  "potential", "friction",
+    "conduction",  "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
+    "fluctuation", "scheme",         "method",     "observe", "",          "setup"};
 
 std::string room_of(std::filesystem::path const& file) {
   return file.parent_path().filename() == "sdpd" ? "" : file.parent_path().filename().string();

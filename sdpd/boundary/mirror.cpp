@@ -1,0 +1,138 @@
+#include "sdpd/boundary/mirror.hpp"
+#include "sdpd/system/sum_over_particles.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// Calls f(particle, layer) for the particles of each wall's layer, on all threads.
+template <class F>
+void for_each_at_a_wall(System const& system, Wall const& wall, F const& f) {
+  WallLayer const layer(system, wall);
+  for_each_index(layer.size(), system.threads, [&](std::size_t k) { f(layer[k], k, layer); });
+}
+
+/// Forces by images, strength(i, j, r) * r each, whose sum along the normal is the wall's.
+template <class Strength>
+void add_forces(System& system, Strength const& strength) {
+  auto& particles = system.particles;
+  for (auto& wall : system.walls) {
+    WallLayer const layer(system, wall);
+    std::vector<double> normal(layer.size());
+    for_each_index(layer.size(), system.threads, [&](std::size_t k) {
+      Index const i = layer[k];
+      Vec3 sum;
+      layer.for_each_image(i, [&](Index j, Vec3 const& r) { sum += strength(i, j, r) * r; });
+      particles.f[i] += sum;
+      normal[k] = component(sum, wall.axis);
+    });
+    wall.force = std::accumulate(normal.begin(), normal.end(), 0.0);
+  }
+}
+
+} // namespace
+
+void add_wall_densities(System& system) {
+  if (system.walls.empty())
+    return;
+  auto& particles = system.particles;
+  std::visit(
+      [&](auto const& kernel) {
+        for (auto const& wall : system.walls)
+          for_each_at_a_wall(system, wall, [&](Index i, std::size_t, WallLayer const& layer) {
+            double rho = 0;
+            layer.for_each_image(
+                i, [&](Index j, Vec3 const& r) { rho += particles.mass_of(j) * kernel.W(norm(r)); });
+            particles.rho[i] += rho;
+          });
+      },
+      system.kernel);
+}
+
+void add_wall_forces(System& system) {
+  if (system.walls.empty())
+    return;
+  auto const& particles = system.particles;
+  auto const push = [&](Index i) { return particles.P[i] / (particles.rho[i] * particles.rho[i]); };
+  std::visit(
+      [&](auto const& kernel) {
+        add_forces(system, [&](Index i, Index j, Vec3 const& r) {
+          double const distance = norm(r);
+          return particles.mass_of(i) * particles.mass_of(j) * (push(i) + push(j)) *
+                 kernel.F(distance, 1 / distance);
+        });
+      },
+      system.kernel);
+}
+
+namespace {
+
+std::string too_near(System const& system, Index j, double distance, double inner) {
+  return fmt::format(
+      "it is {:.6g} (reduced) from the image of particle {} behind a wall, nearer than {:.6g}, "
+      "where the pair potential ends; take a shorter time step",
+      distance, system.particles.id[j], inner);
+}
+
+} // namespace
+
+void add_wall_pair_forces(System& system) {
+  if (system.walls.empty())
+    return;
+  Failure failure;
+  std::vector<double> energy(system.size());
+  std::visit(
+      [&](auto const& potential) {
+        if constexpr (requires { potential(1.0, 1.0); })
+          add_forces(system, [&](Index i, Index j, Vec3 const& r) {
+            double const distance = norm(r);
+            if (distance < potential.inner())
+              failure.report(system.particles.id[i], too_near(system, j, distance, potential.inner()));
+            if (!(distance < potential.cutoff()))
+              return 0.0;
+            auto const pair = potential(distance, 1 / distance);
+            energy[i] += 0.5 * pair.energy; // the image has the other half
+            return pair.strength;
+          });
+      },
+      system.potential);
+  system.stop_at(failure);
+  system.potential_energy += sum_over_particles(system, [&](std::size_t i) { return energy[i]; });
+}
+
+namespace {
+
+/// Images keep most particles away from the wall; the fastest come through.
+void bounce(System& system) {
+  auto& particles = system.particles;
+  for (auto& wall : system.walls)
+    for (std::size_t i = 0; i < system.size(); ++i)
+      if (double const depth = -wall.distance(particles.q[i], system.wall_time); depth > 0) {
+        double const m = particles.mass_of(i), v = wall.motion.velocity_at(system.wall_time);
+        double &q = component(particles.q[i], wall.axis), &p = component(particles.p[i], wall.axis);
+        double const before = p;
+        q += wall.upper ? -2 * depth : 2 * depth;
+        if (wall.upper ? p > m * v : p < m * v)
+          p = 2 * m * v - p;
+        wall.impulse += p - before;
+        wall.work += (p - before) * (p + before) / (2 * m);
+      }
+}
+
+} // namespace
+
+void move_walls(System& system, double dt) {
+  if (system.walls.empty())
+    return;
+  if (!system.walls_held)
+    system.wall_time += dt;
+  bounce(system);
+}
+
+void count_wall_impulses(System& system, double dt) {
+  for (auto& wall : system.walls) {
+    wall.impulse += wall.force * dt;
+    wall.work += wall.force * dt * wall.motion.velocity_at(system.wall_time);
+  }
+}
+
+} // namespace mesobridge::sdpd

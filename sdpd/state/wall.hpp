@@ -1,0 +1,43 @@
+#pragma once
+#include "md/box.hpp"
+#include <algorithm>
+
+namespace mesobridge::sdpd {
+
+/// How a wall moves along its normal, in the units of its owner: at rest, or faster and faster to a constant
+/// velocity, which it has after the time `ramp`. Positive velocities go up the axis.
+struct WallMotion {
+  double velocity = 0;
+  double ramp = 0; ///< >= 0
+
+  double velocity_at(double time) const {
+    return velocity * (time < ramp ? std::max(0.0, time) / ramp : time > 0 ? 1 : 0);
+  }
+  /// How far it has come.
+  double way_at(double time) const {
+    double const of_ramp = std::clamp(time, 0.0, ramp);
+    return velocity * (ramp > 0 ? of_ramp * of_ramp / (2 * ramp) : 0) + velocity * std::max(0.0, time - ramp);
+  }
+};
+
+/// A plane that mirrors the fluid (sdpd/README.md, Eq. (S40)): particles meet the images of themselves and of
+/// each other, at the same density, pressure and temperature. Without friction, and without heat: a wall that
+/// slips, and a piston. In reduced units.
+struct Wall {
+  int axis = 0;       ///< 0, 1, 2: its normal is x, y, z
+  bool upper = false; ///< the fluid lies below it
+  double start = 0;   ///< where it is as long as it has not moved
+  WallMotion motion = {};
+  double force = 0;   ///< that it exerts along its normal, at the last evaluation of the forces
+  double impulse = 0; ///< that it has given to the fluid along its normal
+  double work = 0;    ///< that it has done on the fluid
+
+  double position(double time) const { return start + motion.way_at(time); }
+  /// How far a place is from it, > 0 inside the fluid.
+  double distance(Vec3 const& q, double time) const {
+    double const x = component(q, axis) - position(time);
+    return upper ? -x : x;
+  }
+};
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,221 @@
+#include "pair_fluid_fixtures.hpp"
+#include "sdpd/conservative/refresh.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/scheme/list.hpp"
+#include "sdpd/simulation.hpp"
+#include "sdpd/system/system.hpp"
+#include "sdpd/system/total_energy.hpp"
+#include "sdpd_fixtures.hpp"
+#include <cstring>
+#include <gtest/gtest.h>
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// Fluids of every method between walls across z, the lower one a piston.
+struct Case {
+  std::string name;
+  SimulationSettings settings;
+};
+
+SimulationSettings between_walls(SimulationSettings s, double piston, int axis = 2) {
+  s.lattice = {8, 8, 8};
+  s.disorder = 0.2;
+  s.faces = walls_along(axis, {piston * s.units().velocity(), 2 * s.units().time()});
+  return s;
+}
+
+std::vector<Case> fluids() {
+  return {{"ideal_gas", between_walls(ideal_gas(50, 0.02), 0.3)},
+          {"argon", between_walls(argon(50, 0.02), 0.3, 0)},
+          {"dpde", between_walls(dpde_fluid(40, 0.01, 2), 0.3, 1)},
+          {"dpd", between_walls(dpd_fluid(), 0.3)}};
+}
+
+class EveryWalledFluid : public ::testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Fluids, EveryWalledFluid, ::testing::ValuesIn(fluids()),
+                         [](auto const& info) { return info.param.name; });
+
+/// Conservative energy of the system with particle i moved.
+double energy_with(System& system, std::size_t i, Vec3 const& by) {
+  auto const before = system.particles.q[i];
+  system.particles.q[i] += by;
+  if (system.has_densities())
+    refresh_by(system, [](System& s) {
+      Failure failure;
+      s.thermodynamics->from_entropy(s.particles, {0, s.size()}, failure);
+    });
+  else
+    refresh_by(system, [](System&) {});
+  system.particles.q[i] = before;
+  return total_energy(system);
+}
+
+// The forces of the images, too, are those of an energy.
+TEST_P(EveryWalledFluid, HasForcesThatAreTheSlopeOfItsEnergy) {
+  auto settings = GetParam().settings;
+  settings.faces = walls_along(settings.faces[0][0].kind == FaceKind::wall   ? 0
+                               : settings.faces[1][0].kind == FaceKind::wall ? 1
+                                                                             : 2);
+  auto const system = make_system(settings);
+  auto const f = system->particles.f;
+  int near = 0;
+  double const step = 1e-5;
+  for (std::size_t i = 0; i < system->size() && near < 12; ++i) {
+    auto const& wall = system->walls[i % 2];
+    if (wall.distance(system->particles.q[i], 0) > 0.5 * system->neighbours.range())
+      continue;
+    ++near;
+    for (int const axis : {0, 1, 2}) {
+      Vec3 by;
+      component(by, axis) = step;
+      double const slope = (energy_with(*system, i, by) - energy_with(*system, i, -1.0 * by)) / (2 * step);
+      EXPECT_NEAR(component(f[i], axis), -slope, 2e-5 * (norm(f[i]) + 1)) << i << " " << axis;
+    }
+  }
+  EXPECT_EQ(near, 12);
+}
+
+TEST_P(EveryWalledFluid, BalancesMomentumToRoundOffAndEnergyByTheWork) {
+  auto settings = GetParam().settings;
+  Simulation simulation(settings);
+  auto const before = simulation.observe();
+  double const scale = std::sqrt(2 * before.kinetic * static_cast<double>(simulation.size()));
+  simulation.advance(200);
+  auto const after = simulation.observe();
+  Vec3 impulse;
+  double work = 0;
+  for (auto const& wall : simulation.walls())
+    component(impulse, wall.axis) += wall.impulse, work += wall.work;
+  EXPECT_GT(norm(impulse) / scale, 1e-2);
+  EXPECT_LT(norm(after.momentum - before.momentum - impulse) / scale, 1e-12);
+  if (!settings.features().energies)
+    return;
+  double const gain = after.energy() - before.energy();
+  EXPECT_GT(work / before.kinetic, 0.05);
+  EXPECT_NEAR(gain / work, 1, 0.02); // Verlet's error
+}
+
+TEST_P(EveryWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
+  auto settings = GetParam().settings;
+  Snapshot first;
+  std::vector<double> work;
+  for (int const threads : {1, 2, 4}) {
+    settings.threads = threads;
+    Simulation simulation(settings);
+    simulation.advance(40);
+    auto const checkpoint = simulation.checkpoint();
+    simulation.advance(20);
+    Simulation resumed(settings);
+    resumed.restore(checkpoint);
+    resumed.advance(20);
+    if (threads == 1)
+      first = simulation.snapshot();
+    for (auto const* one : {&simulation, &resumed}) {
+      auto const now = one->snapshot();
+      EXPECT_EQ(std::memcmp(now.q.data(), first.q.data(), now.q.size() * sizeof(Vec3)), 0) << threads;
+      EXPECT_EQ(now.eps, first.eps);
+      EXPECT_EQ(one->wall_time(), simulation.wall_time());
+      work.push_back(one->walls()[0].work);
+    }
+  }
+  EXPECT_EQ(work, std::vector<double>(work.size(), work[0]));
+}
+
+// The images are what a fluid would have that is its own mirror image: twice the box, periodic, without
+// walls.
+TEST_P(EveryWalledFluid, IsHalfOfASymmetricOne) {
+  auto settings = GetParam().settings;
+  settings.scheme.pairs = "ssa";
+  auto const half = make_system(settings);
+  int const axis = half->walls[0].axis;
+  auto doubled = settings;
+  doubled.faces = {}, doubled.lattice[static_cast<std::size_t>(axis)] *= 2;
+  auto const whole = make_system(doubled);
+  double const edge = component(half->box.edge, axis);
+  for (std::size_t i = 0; i < half->size(); ++i)
+    for (bool const image : {false, true}) {
+      auto q = half->particles.q[i];
+      if (image)
+        component(q, axis) = 2 * edge - component(q, axis);
+      auto const id = 2 * half->particles.id[i] + image;
+      for (std::size_t k = 0; k < whole->size(); ++k)
+        if (whole->particles.id[k] == id) {
+          whole->particles.q[k] = q;
+          if (half->has_energies())
+            whole->particles.eps[k] = half->particles.eps[i];
+        }
+    }
+  refresh(*whole), refresh(*half);
+  int compared = 0;
+  for (std::size_t i = 0; i < half->size(); ++i)
+    for (std::size_t k = 0; k < whole->size(); ++k)
+      if (whole->particles.id[k] == 2 * half->particles.id[i]) {
+        ++compared;
+        EXPECT_LT(norm(whole->particles.f[k] - half->particles.f[i]),
+                  1e-7 * (1 + norm(half->particles.f[i])));
+        if (half->has_densities()) {
+          EXPECT_NEAR(whole->particles.rho[k], half->particles.rho[i], 1e-10);
+        }
+      }
+  EXPECT_EQ(compared, 512);
+  EXPECT_NEAR(whole->potential_energy, 2 * half->potential_energy, 1e-9 * std::abs(whole->potential_energy));
+}
+
+TEST(Walls, AreHeldAndLetGo) {
+  Simulation simulation(between_walls(ideal_gas(50, 0.02), 0.3));
+  simulation.hold_walls(true);
+  simulation.advance(10);
+  EXPECT_EQ(simulation.wall_time(), 0);
+  EXPECT_EQ(simulation.walls()[0].work, 0);
+  simulation.hold_walls(false);
+  simulation.advance(10);
+  EXPECT_NEAR(simulation.wall_time(), 0.2, 1e-12);
+  EXPECT_NEAR(simulation.walls()[0].position(simulation.wall_time()), 0.3 * 0.2 * 0.2 / 4, 1e-12);
+}
+
+TEST(WallMotion, IsTheIntegralOfItsVelocity) {
+  WallMotion const motion{.velocity = 3, .ramp = 2}, at_once{.velocity = 3};
+  EXPECT_EQ(motion.velocity_at(-1), 0);
+  EXPECT_EQ(motion.velocity_at(1), 1.5);
+  EXPECT_EQ(motion.velocity_at(5), 3);
+  EXPECT_EQ(motion.way_at(2), 3);
+  EXPECT_EQ(motion.way_at(4), 9);
+  EXPECT_EQ(at_once.way_at(4), 12);
+}
+
+TEST(Walls, ThatCannotBeAreRefused) {
+  auto refused = [](auto const& change) {
+    auto s = between_walls(ideal_gas(50, 0.02), 0);
+    change(s.faces);
+    EXPECT_THROW(check(s), InputError);
+  };
+  EXPECT_NO_THROW(check(between_walls(ideal_gas(50, 0.02), 0)));
+  refused([](Faces& faces) { faces[2][0] = {}; });
+  refused([](Faces& faces) { faces[0] = faces[2]; });
+  refused([](Faces& faces) { faces[0][0].motion.velocity = 1; });
+  refused([](Faces& faces) { faces[2][0].motion.velocity = std::nan(""); });
+  refused([](Faces& faces) { faces[2][0].motion.ramp = -1; });
+}
+
+// Vacuum: particles that leave go straight on.
+TEST(OpenFaces, LetParticlesGo) {
+  auto settings = ideal_gas(50, 0.02);
+  settings.lattice = {6, 6, 12};
+  for (auto& face : settings.faces[2])
+    face.kind = FaceKind::open;
+  Simulation simulation(settings);
+  auto const before = simulation.observe();
+  simulation.advance(400);
+  auto const after = simulation.observe();
+  double const edge = simulation.box().edge.z;
+  int outside = 0;
+  for (auto const& q : simulation.snapshot().q)
+    outside += q.z < -0.5 * edge || q.z > 1.5 * edge;
+  EXPECT_GT(outside, 10);
+  EXPECT_LT(norm(after.momentum), 1e-10);
+  EXPECT_NEAR(after.energy() / before.energy(), 1, 1e-3);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
