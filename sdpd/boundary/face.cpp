@@ -22,6 +22,10 @@ void check(Face const& face, std::string const& name) {
 
 } // namespace
 
+bool has_walls(Faces const& faces) {
+  return std::ranges::any_of(faces, [](auto const& pair) { return is_wall(pair[0]) || is_wall(pair[1]); });
+}
+
 std::array<bool, 3> periodic_axes(Faces const& faces) {
   std::array<bool, 3> periodic{};
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -27,6 +27,8 @@ inline Faces walls_along(int axis, WallMotion const& lower = {}, WallMotion cons
   return faces;
 }
 
+bool has_walls(Faces const& faces);
+
 /// Which of the axes lead round.
 std::array<bool, 3> periodic_axes(Faces const& faces);
 

@@ -11,21 +11,26 @@ void for_each_at_a_wall(System const& system, Wall const& wall, F const& f) {
   for_each_index(layer.size(), system.threads, [&](std::size_t k) { f(layer[k], k, layer); });
 }
 
-/// Forces by images, strength(i, j, r) * r each, whose sum along the normal is the wall's.
+/// Forces by images, strength(i, j, r) * r each, whose sum along the normal is the wall's. Half of their
+/// virial is the fluid's, the other half the images'.
 template <class Strength>
 void add_forces(System& system, Strength const& strength) {
   auto& particles = system.particles;
   for (auto& wall : system.walls) {
     WallLayer const layer(system, wall);
-    std::vector<double> normal(layer.size());
+    std::vector<double> normal(layer.size()), virial(layer.size());
     for_each_index(layer.size(), system.threads, [&](std::size_t k) {
       Index const i = layer[k];
       Vec3 sum;
-      layer.for_each_image(i, [&](Index j, Vec3 const& r) { sum += strength(i, j, r) * r; });
+      layer.for_each_image(i, [&](Index j, Vec3 const& r) {
+        double const s = strength(i, j, r);
+        sum += s * r, virial[k] += 0.5 * s * norm2(r);
+      });
       particles.f[i] += sum;
       normal[k] = component(sum, wall.axis);
     });
     wall.force = std::accumulate(normal.begin(), normal.end(), 0.0);
+    system.virial += std::accumulate(virial.begin(), virial.end(), 0.0);
   }
 }
 

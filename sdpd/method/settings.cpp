@@ -34,9 +34,10 @@ double SimulationSettings::range() const {
 
 Features SimulationSettings::features() const {
   return std::visit(
-      [](auto const& of) {
+      [&](auto const& of) {
         Features features = of.features;
         features.masses = !of.species.empty();
+        features.walls = has_walls(faces);
         return features;
       },
       method);

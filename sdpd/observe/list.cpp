@@ -7,6 +7,8 @@ std::vector<Measurement> observed_sums();
 Measurement mean_neighbours();
 Measurement compression_response();
 Measurement pressure_tensor();
+Measurement wall_pressure();
+Measurement wall_work();
 
 std::vector<Measurement> const& measurements() {
   static auto const all = [] {
@@ -14,6 +16,8 @@ std::vector<Measurement> const& measurements() {
     list.push_back(mean_neighbours());
     list.push_back(compression_response());
     list.push_back(pressure_tensor());
+    list.push_back(wall_pressure());
+    list.push_back(wall_work());
     return list;
   }();
   return all;

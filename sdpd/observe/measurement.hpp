@@ -29,6 +29,9 @@ inline bool with_energies(Features const& has) {
 inline bool with_densities(Features const& has) {
   return has.densities;
 }
+inline bool with_walls(Features const& has) {
+  return has.walls;
+}
 inline bool without_densities(Features const& has) {
   return !has.densities;
 }

@@ -11,11 +11,12 @@ namespace mesobridge::sdpd {
 
 using Index = std::uint32_t;
 
-/// What particles have beside positions and momenta; the method decides.
+/// What particles have beside positions and momenta, which the method decides, and what bounds them.
 struct Features {
   bool energies = true;  ///< SDPD, DPDE
   bool densities = true; ///< SDPD; without them temperatures average harmonically
   bool masses = false;   ///< several species: each particle has a mass of its own
+  bool walls = false;    ///< the box has some
 };
 
 /// The particles as a structure of arrays in reduced units. The order in memory follows the cells and changes

@@ -142,14 +142,42 @@ void check_scheme(Scene const& scene, Places const& places) {
                    "the particles have no internal energies that could give or take energy");
 }
 
+void check_box(Scene const& scene, Places const& places) {
+  auto const& box = scene.box;
+  if (!box.lattice.empty()) {
+    require_together(box.lattice.size() == 3, places, "box.lattice", box.lattice.size(),
+                     "numbers; must be 3: the particles along x, y and z");
+    double particles = 1;
+    for (auto const n : box.lattice)
+      particles *= static_cast<double>(n);
+    require_together(particles == static_cast<double>(scene.particles.N), places, "box.lattice", particles,
+                     fmt::format("particles in all; must be particles.N = {}", scene.particles.N));
+  }
+  int walled = 0;
+  for (auto const* face : {&box.x, &box.y, &box.z})
+    walled += *face == "walls";
+  if (walled > 1)
+    throw InputError(
+        fmt::format("{}: walls across {} axes: must be one, since particles in a corner would need the "
+                    "images of images",
+                    places.of("box.z"), walled));
+  if (box.piston)
+    require_together(walled == 1, places, "box.piston", *box.piston,
+                     "needs a wall to move: give box.x, box.y or box.z = \"walls\"");
+  if (box.ramp)
+    require_together(box.piston.has_value(), places, "box.ramp", *box.ramp,
+                     "needs box.piston, whose start it is");
+}
+
 /// The quantities that the scene names must be its method's, and there must be some.
 void check_quantities(Scene const& scene, Places const& places, std::string const& section,
                       std::int64_t every, std::vector<std::string> const& named,
                       std::vector<NamedQuantity> const& known) {
-  auto const has = chosen({}, known, scene.method.name);
+  auto const has = chosen({}, known, scene.features());
   for (auto const& name : named)
     require_together(std::ranges::find(has, name) != has.end(), places, section + ".quantities", name,
-                     fmt::format("particles of {} have no such quantity; theirs are: {}", scene.method.name,
+                     fmt::format("there is no such quantity in this box with particles of {}; there are: {}",
+                                 scene.method.name,
                                  has.empty() ? "none" : fmt::format("{}", fmt::join(has, ", "))));
   require_together(every == 0 || !has.empty(), places, section + ".every", every,
                    fmt::format("must be 0: particles of {} have none of the quantities", scene.method.name));
@@ -171,6 +199,7 @@ void check_schedules(Scene const& scene, Places const& places) {
 } // namespace
 
 void check_together(Scene const& scene, Places const& places) {
+  check_box(scene, places);
   sdpd::for_method(scene.method.name, [&](auto type) { check_keys(type, scene, places); });
   check_scheme(scene, places);
   check_wish(scene, places);

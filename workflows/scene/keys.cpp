@@ -17,6 +17,7 @@ std::string type_name(SceneKey const& key) {
     std::string operator()(double*) const { return "a number"; }
     std::string operator()(std::optional<double>*) const { return "a number"; }
     std::string operator()(std::vector<std::string>*) const { return "a list of texts"; }
+    std::string operator()(std::vector<std::int64_t>*) const { return "a list of integers"; }
     std::string operator()(TimeStep*) const { return "a number"; }
     std::string operator()(UnitSystem*) const { return "a text"; }
   };
@@ -27,7 +28,9 @@ std::string type_name(SceneKey const& key) {
 } // namespace
 
 sdpd::Features Scene::features() const {
-  return sdpd::method_named(method.name).features;
+  auto features = sdpd::method_named(method.name).features;
+  features.walls = box.x == "walls" || box.y == "walls" || box.z == "walls";
+  return features;
 }
 
 bool SceneKey::belongs_to(std::string const& method) const {
@@ -62,8 +65,9 @@ std::string SceneKey::allowed(UnitSystem units) const {
 std::vector<SceneKey> const& scene_keys() {
   static auto const keys = [] {
     std::vector<SceneKey> all;
-    for (auto const& table : {title_and_method_keys(), fluid_keys(), particle_keys(), pair_fluid_keys(),
-                              transport_keys(), scheme_keys(), run_keys(), observe_keys(), output_keys()})
+    for (auto const& table :
+         {title_and_method_keys(), fluid_keys(), particle_keys(), box_keys(), pair_fluid_keys(),
+          transport_keys(), scheme_keys(), run_keys(), observe_keys(), output_keys()})
       all.insert(all.end(), table.begin(), table.end());
     return all;
   }();

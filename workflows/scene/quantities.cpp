@@ -1,29 +1,17 @@
 #include "workflows/scene/quantities.hpp"
-#include "sdpd/method/list.hpp"
 #include "sdpd/observe/list.hpp"
-#include <algorithm>
-#include <functional>
 
 namespace mesobridge::workflows {
 
 namespace {
-
-/// Those of whose features the condition, a member or a function of them, holds.
-template <class Condition>
-std::vector<std::string> methods_with(Condition condition) {
-  std::vector<std::string> methods;
-  for (auto const& method : sdpd::methods())
-    if (std::invoke(condition, method.features))
-      methods.emplace_back(method.name);
-  return methods;
-}
 
 /// The fields of the particles that a list takes.
 std::vector<NamedQuantity> fields_with(bool sdpd::Field::*taken) {
   std::vector<NamedQuantity> quantities;
   for (auto const& field : sdpd::fields)
     if (field.*taken)
-      quantities.push_back({std::string(field.name), methods_with(field.feature)});
+      quantities.push_back({std::string(field.name),
+                            [member = field.feature](sdpd::Features const& has) { return has.*member; }});
   return quantities;
 }
 
@@ -31,13 +19,9 @@ std::vector<NamedQuantity> fields_with(bool sdpd::Field::*taken) {
 
 std::vector<NamedQuantity> const& profile_quantities() {
   static auto const all = [] {
-    auto const all = sdpd::method_names();
-    std::vector<NamedQuantity> of{{"rho", all},
-                                  {"velocity", all},
-                                  {"T_kin", all},
-                                  {"T_int", methods_with(&sdpd::Features::energies)},
-                                  {"P_internal", methods_with(&sdpd::Features::densities)},
-                                  {"P", all}};
+    std::vector<NamedQuantity> of{{"rho", sdpd::in_every_method},       {"velocity", sdpd::in_every_method},
+                                  {"T_kin", sdpd::in_every_method},     {"T_int", sdpd::with_energies},
+                                  {"P_internal", sdpd::with_densities}, {"P", sdpd::in_every_method}};
     for (auto const& field : fields_with(&sdpd::Field::profiled))
       of.push_back(field);
     return of;
@@ -55,7 +39,7 @@ std::vector<NamedQuantity> const& series_quantities() {
     std::vector<NamedQuantity> asked;
     for (auto const& measured : sdpd::measurements())
       if (!measured.in_every_run())
-        asked.push_back({std::string(measured.name), methods_with(measured.exists)});
+        asked.push_back({std::string(measured.name), measured.exists});
     return asked;
   }();
   return all;
@@ -69,12 +53,12 @@ std::vector<std::string> names_of(std::vector<NamedQuantity> const& quantities) 
 }
 
 std::vector<std::string> chosen(std::vector<std::string> const& named,
-                                std::vector<NamedQuantity> const& quantities, std::string const& method) {
+                                std::vector<NamedQuantity> const& quantities, sdpd::Features const& has) {
   if (!named.empty())
     return named;
   std::vector<std::string> names;
   for (auto const& quantity : quantities)
-    if (std::ranges::find(quantity.methods, method) != quantity.methods.end())
+    if (quantity.exists(has))
       names.push_back(quantity.name);
   return names;
 }

@@ -1,13 +1,15 @@
 #pragma once
+#include "sdpd/state/particles.hpp"
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mesobridge::workflows {
 
-/// A quantity that a scene may ask for by name, and the methods whose particles have it.
+/// A quantity that a scene may ask for by name, if its particles and its box have it.
 struct NamedQuantity {
   std::string name;
-  std::vector<std::string> methods;
+  std::function<bool(sdpd::Features const&)> exists;
 };
 
 /// What a profile may show.
@@ -20,8 +22,8 @@ std::vector<NamedQuantity> const& series_quantities();
 
 std::vector<std::string> names_of(std::vector<NamedQuantity> const& quantities);
 
-/// The quantities that a scene names or, when it names none, all that its method has.
+/// The quantities that a scene names or, when it names none, all that there are.
 std::vector<std::string> chosen(std::vector<std::string> const& named,
-                                std::vector<NamedQuantity> const& quantities, std::string const& method);
+                                std::vector<NamedQuantity> const& quantities, sdpd::Features const& has);
 
 } // namespace mesobridge::workflows

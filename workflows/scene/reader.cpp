@@ -155,6 +155,18 @@ struct SlotReader {
       slot->push_back(std::move(word));
     }
   }
+  void operator()(std::vector<std::int64_t>* slot) const {
+    auto const* list = node.as_array();
+    if (!list)
+      refuse();
+    slot->clear();
+    for (auto const& element : *list) {
+      auto const value = element.value_exact<std::int64_t>();
+      if (!value || !key.range.contains(static_cast<double>(*value)))
+        refuse();
+      slot->push_back(*value);
+    }
+  }
   void operator()(TimeStep* slot) const {
     if (node.value_exact<std::string>() == "auto") {
       *slot = {.automatic = true};

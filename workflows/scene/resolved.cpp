@@ -37,6 +37,9 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
         words.push_back(quoted(text));
       return fmt::format("[{}]", fmt::join(words, ", "));
     }
+    Text operator()(std::vector<std::int64_t> const* numbers) const {
+      return numbers->empty() ? Text() : fmt::format("[{}]", fmt::join(*numbers, ", "));
+    }
     Text operator()(TimeStep const* dt) const {
       if (dt->automatic)
         return "\"auto\"";

@@ -73,6 +73,12 @@ struct Scene {
     std::int64_t calibration_steps = 0; ///< 0: by the length of the run
     bool operator==(Particles const&) const = default;
   } particles;
+  struct Box {
+    std::vector<std::int64_t> lattice; ///< particles along x, y, z; empty: as cubic as N allows
+    std::string x = "periodic", y = "periodic", z = "periodic";
+    std::optional<double> piston, ramp; ///< velocity of the lower wall, and the time until it has it
+    bool operator==(Box const&) const = default;
+  } box;
   struct Transport {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;

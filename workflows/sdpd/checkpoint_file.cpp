@@ -86,6 +86,9 @@ class Reader {
     return {.proposed = at(0), .out_of_domain = at(1), .metropolis = at(2)};
   }
 
+  /// Impulse and work of the lower and the upper wall, and their time, where there are walls.
+  std::vector<double> walls() const { return doubles_if_there("walls", 5); }
+
   std::string scene() const { return store_.read_text("scene"); }
   std::vector<InputFile> inputs() const { return read_inputs(store_); }
 
@@ -156,6 +159,8 @@ void write_datasets(Store& store, sdpd::Checkpoint const& c, Provenance const& p
   store.write("kept_energy", std::span(&c.kept_energy, 1));
   store.write("pair_counts", integers(c.pair_counts));
   store.write("conduction_counts", integers(c.conduction_counts));
+  if (!c.walls.empty())
+    store.write("walls", c.walls);
   store.write("equilibration", std::array{static_cast<double>(equilibration.done), equilibration.sum_T_kin,
                                           equilibration.sum_T_int});
   write_provenance(store, provenance);
@@ -178,7 +183,8 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .q_at_renewal = reader.vectors("q_at_renewal", n),
                          .kept_energy = reader.doubles("kept_energy", 1)[0],
                          .pair_counts = reader.pair_counts("pair_counts"),
-                         .conduction_counts = reader.pair_counts("conduction_counts")},
+                         .conduction_counts = reader.pair_counts("conduction_counts"),
+                         .walls = reader.walls()},
           .scene = reader.scene(),
           .inputs = reader.inputs(),
           .equilibration = reader.equilibration(),

@@ -68,7 +68,7 @@ double results(Scene const& scene, Particle const& of) {
   double const profiles = rows(scene, scene.profile.every), slices = static_cast<double>(scene.profile.bins);
   if (profiles > 0) {
     bytes += 2 * growing(profiles, 1) + growing(profiles, slices) + slices * number;
-    for (auto const& quantity : chosen(scene.profile.quantities, profile_quantities(), scene.method.name))
+    for (auto const& quantity : chosen(scene.profile.quantities, profile_quantities(), scene.features()))
       bytes += growing(profiles, quantity == "velocity" ? 3 * slices : slices);
   }
   double const histograms = rows(scene, scene.histogram.every),
@@ -76,7 +76,7 @@ double results(Scene const& scene, Particle const& of) {
   if (histograms > 0)
     bytes += 2 * growing(histograms, 1) +
              static_cast<double>(
-                 chosen(scene.histogram.quantities, histogram_quantities(), scene.method.name).size()) *
+                 chosen(scene.histogram.quantities, histogram_quantities(), scene.features()).size()) *
                  (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
   double const measured = rows(scene, scene.series.every);
   if (measured > 0)

@@ -19,7 +19,7 @@ void append_one(Store& store, std::string const& path, std::int64_t value) {
 
 HistogramSeries::HistogramSeries(Store& store, Scene const& scene, OutputUnits const& units)
     : store_(store), bins_(static_cast<std::size_t>(scene.histogram.bins)), reach_(scene.histogram.reach),
-      quantities_(chosen(scene.histogram.quantities, histogram_quantities(), scene.method.name)),
+      quantities_(chosen(scene.histogram.quantities, histogram_quantities(), scene.features())),
       units_(units), last_step_(workflows::last_step(store, root + "/step")) {}
 
 HistogramSeries::Quantity HistogramSeries::find(std::string const& name, sdpd::Snapshot const& now) const {

@@ -33,7 +33,7 @@ void check(sdpd::Measurement const& measured, std::vector<double> const& values,
 std::vector<sdpd::Measurement> measured_in_series(Scene const& scene) {
   std::vector<sdpd::Measurement> measured;
   if (scene.series.every > 0)
-    for (auto const& name : chosen(scene.series.quantities, series_quantities(), scene.method.name))
+    for (auto const& name : chosen(scene.series.quantities, series_quantities(), scene.features()))
       measured.push_back(*std::ranges::find(sdpd::measurements(), name, &sdpd::Measurement::name));
   return measured;
 }

@@ -18,7 +18,7 @@ ProfileSeries::ProfileSeries(Store& store, Scene const& scene, OutputUnits const
     : store_(store), slices_{static_cast<int>(scene.profile.axis[0] - 'x'),
                              static_cast<std::size_t>(scene.profile.bins)},
       axis_(scene.profile.axis),
-      quantities_(chosen(scene.profile.quantities, profile_quantities(), scene.method.name)), units_(units),
+      quantities_(chosen(scene.profile.quantities, profile_quantities(), scene.features())), units_(units),
       boltzmann_(boltzmann), last_step_(workflows::last_step(store, group + "/step")) {}
 
 bool ProfileSeries::shows(std::string const& quantity) const {

@@ -195,7 +195,7 @@ std::vector<Plot> profile_plots(std::filesystem::path const& run_file, RunResult
   Rows const number({counts.begin(), counts.end()}, position.size());
   std::vector<Plot> plots;
   for (auto const& quantity :
-       chosen(run.scene.profile.quantities, profile_quantities(), run.scene.method.name)) {
+       chosen(run.scene.profile.quantities, profile_quantities(), run.scene.features())) {
     auto const key = key_of(quantity, units);
     auto const y = axis_of(quantity + key);
     auto plot = profile_frame(quantity, place.label, y.label);
@@ -222,7 +222,7 @@ std::vector<Plot> histogram_plots(std::filesystem::path const& run_file, RunResu
   OutputUnits const units(run.settings.units(), run.scene.units);
   std::vector<Plot> plots;
   for (auto const& quantity :
-       chosen(run.scene.histogram.quantities, histogram_quantities(), run.scene.method.name)) {
+       chosen(run.scene.histogram.quantities, histogram_quantities(), run.scene.features())) {
     auto const name = quantity + key_of(quantity, units), group = "histogram/" + name;
     auto const axis = axis_of(name);
     auto const edges = scaled(store.read_doubles(group + "/edges"), axis.factor);

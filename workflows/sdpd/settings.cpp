@@ -1,5 +1,6 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
+#include "fitting/shock_relations.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/sdpd/method_of.hpp"
 #include "workflows/text_file.hpp"
@@ -64,12 +65,52 @@ double neighbours_of(double h_factor) {
   return 4 * std::numbers::pi / 3 * std::pow(h_factor, 3);
 }
 
+namespace {
+
+std::array<std::uint32_t, 3> particles_along_edges(Scene const& scene) {
+  auto const& given = scene.box.lattice;
+  if (given.empty())
+    return lattice_of(scene.particles.N);
+  return {static_cast<std::uint32_t>(given.at(0)), static_cast<std::uint32_t>(given.at(1)),
+          static_cast<std::uint32_t>(given.at(2))};
+}
+
+/// The piston's ramp where the scene says nothing: 8 l/v_S, by the equation of state (sdpd/README.md, Walls).
+double usual_ramp(sdpd::SimulationSettings const& settings, double velocity) {
+  constexpr double spacings = 8;
+  auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
+  if (!fluid || velocity <= 0)
+    return 0;
+  auto const ahead = std::visit(
+      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
+      fluid->eos);
+  double const v_S = fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(velocity).v_S;
+  return spacings * settings.spacing() * settings.units().length() / v_S;
+}
+
+sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  auto const& box = scene.box;
+  sdpd::Faces faces{};
+  for (auto const& [axis, kind] : {std::pair(0u, box.x), {1u, box.y}, {2u, box.z}})
+    for (auto& face : faces[axis])
+      face.kind = kind == "walls"  ? sdpd::FaceKind::wall
+                  : kind == "open" ? sdpd::FaceKind::open
+                                   : sdpd::FaceKind::periodic;
+  if (box.piston)
+    for (auto& [lower, upper] : faces)
+      if (lower.kind == sdpd::FaceKind::wall)
+        lower.motion = {*box.piston, box.ramp ? *box.ramp : usual_ramp(settings, *box.piston)};
+  return faces;
+}
+
+} // namespace
+
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   sdpd::SimulationSettings settings{
       .method = method_of(scene),
       .rho = scene.fluid.rho,
       .T = scene.fluid.T,
-      .lattice = lattice_of(scene.particles.N),
+      .lattice = particles_along_edges(scene),
       .disorder = scene.particles.disorder,
       .noise = scene.scheme.noise == "on",
       .dt = scene.scheme.dt.value,
@@ -80,6 +121,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   };
   if (!scene.scheme.dt.reduced)
     settings.dt /= settings.units().time();
+  settings.faces = faces_of(scene, settings);
   return settings;
 }
 

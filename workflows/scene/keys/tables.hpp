@@ -8,6 +8,7 @@ namespace mesobridge::workflows {
 std::vector<SceneKey> title_and_method_keys();
 std::vector<SceneKey> fluid_keys();
 std::vector<SceneKey> particle_keys();
+std::vector<SceneKey> box_keys();
 std::vector<SceneKey> pair_fluid_keys(); ///< potential, friction, internal energy, conduction
 std::vector<SceneKey> potential_keys();
 std::vector<SceneKey> transport_keys();
