@@ -217,7 +217,7 @@ TEST(SeriesOfARun, AreNamedByTheKeysAndRefusedByName) {
           called({"check"}, scratch.path(), method,
                  {"series.every=20", fmt::format("series.quantities=[\"{}\"]", measured.name)});
       EXPECT_EQ(foreign.status, 2);
-      EXPECT_NE(foreign.errors.find("have no such quantity"), std::string::npos) << foreign.errors;
+      EXPECT_NE(foreign.errors.find("there is no such quantity"), std::string::npos) << foreign.errors;
       ++refused;
     }
     auto const rare = called({"check"}, scratch.path(), method, {"series.every=41"});
