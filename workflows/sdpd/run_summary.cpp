@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_health.hpp"
+#include "workflows/sdpd/shock.hpp"
 #include "workflows/summary.hpp"
 
 namespace mesobridge::workflows {
@@ -69,6 +70,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
   put_measured(json, file, scene, units);
+  if (auto const shock = shock_of(file.store(), scene, settings))
+    put_shock(json, *shock, units);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

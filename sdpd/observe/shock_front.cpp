@@ -1,0 +1,93 @@
+#include "sdpd/observe/shock_front.hpp"
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace mesobridge::sdpd {
+namespace {
+
+constexpr double start_zone = 40, far_zone = 10, piston_zone = 15, front_zone = 12; // in spacings
+constexpr std::size_t blocks = 6, least_frames = 2 * blocks;
+
+double mean(std::span<double const> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Of a straight line by least squares.
+double slope(std::span<double const> x, std::span<double const> y) {
+  double const x_0 = mean(x), y_0 = mean(y);
+  double xy = 0, xx = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    xy += (x[k] - x_0) * (y[k] - y_0), xx += (x[k] - x_0) * (x[k] - x_0);
+  return xy / xx;
+}
+
+/// With the error that the blocks' own values have; of_block(first, count) is the value of some frames.
+template <class F>
+cg::Estimate by_blocks(std::size_t frames, F const& of_block) {
+  std::vector<double> values;
+  std::size_t const length = frames / blocks;
+  for (std::size_t b = 0; b < blocks; ++b)
+    values.push_back(of_block(frames - (b + 1) * length, length));
+  double const centre = mean(values);
+  double square = 0;
+  for (double const value : values)
+    square += (value - centre) * (value - centre);
+  return {of_block(0, frames), std::sqrt(square / (blocks * (blocks - 1))), double{blocks}};
+}
+
+/// Mean over the plateau of one frame.
+double behind(std::vector<double> const& values, ShockFrame const& frame, ShockScale const& scale,
+              double front) {
+  double sum = 0, count = 0;
+  for (std::size_t s = 0; s < values.size(); ++s)
+    if (scale.position[s] > frame.piston + piston_zone * scale.spacing &&
+        scale.position[s] < front - front_zone * scale.spacing)
+      sum += values[s], ++count;
+  return sum / count;
+}
+
+} // namespace
+
+std::optional<double> front_position(ShockFrame const& frame, ShockScale const& scale) {
+  auto const& v = frame.velocity;
+  double const half = scale.v_P / 2;
+  if (v.empty() || v.back() > half)
+    return std::nullopt;
+  for (std::size_t s = v.size() - 1; s > 0; --s)
+    if (v[s - 1] > half) {
+      double const width = scale.position[s] - scale.position[s - 1];
+      return scale.position[s] - width * (half - v[s]) / (v[s - 1] - v[s]);
+    }
+  return std::nullopt;
+}
+
+std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale) {
+  SteadyShock shock;
+  std::vector<double> rho, P, T;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    auto const front = front_position(frames[k], scale);
+    if (!front || *front < frames[k].piston + start_zone * scale.spacing ||
+        *front > scale.position.back() - far_zone * scale.spacing)
+      continue;
+    if (shock.times.empty())
+      shock.first = k;
+    shock.times.push_back(frames[k].time), shock.fronts.push_back(*front);
+    for (auto const& [to, from] : {std::pair(&rho, &frames[k].rho), {&P, &frames[k].P}, {&T, &frames[k].T}})
+      to->push_back(behind(*from, frames[k], scale, *front));
+  }
+  if (shock.times.size() < least_frames)
+    return std::nullopt;
+  auto const part = [](std::vector<double> const& of, std::size_t first, std::size_t count) {
+    return std::span(of).subspan(first, count);
+  };
+  std::size_t const n = shock.times.size();
+  shock.v_S = by_blocks(n, [&](std::size_t first, std::size_t count) {
+    return slope(part(shock.times, first, count), part(shock.fronts, first, count));
+  });
+  for (auto const& [to, from] : {std::pair(&shock.rho, &rho), {&shock.P, &P}, {&shock.T, &T}})
+    *to = by_blocks(n, [&](std::size_t first, std::size_t count) { return mean(part(*from, first, count)); });
+  return shock;
+}
+
+} // namespace mesobridge::sdpd

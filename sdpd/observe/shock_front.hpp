@@ -1,0 +1,39 @@
+#pragma once
+#include "cg/estimate.hpp"
+#include <optional>
+#include <vector>
+
+namespace mesobridge::sdpd {
+
+/// Means over slices of equal width along the way of a shock, at one instant; in any one set of units.
+struct ShockFrame {
+  double time = 0, piston = 0; ///< since the piston began to move, and where it is
+  std::vector<double> velocity, rho, P, T;
+};
+
+/// What a shock is looked at with: the slices' centres, the velocity of the piston, the mean distance between
+/// particles.
+struct ShockScale {
+  std::vector<double> position;
+  double v_P, spacing;
+};
+
+/// Where the velocity last falls through v_P/2, coming from the fluid at rest, between the centres of two
+/// slices; nothing if the slice at the far end is that fast already or none is.
+std::optional<double> front_position(ShockFrame const& frame, ShockScale const& scale);
+
+/// A steady shock: the velocity of its front and the state behind it, each with its standard error.
+struct SteadyShock {
+  cg::Estimate v_S, rho, P, T;
+  std::vector<double> times, fronts; ///< of the frames that were taken
+  std::size_t first = 0;             ///< the first of them
+};
+
+/// From the frames in which the front is further than 40 spacings from the piston, so that the start is left
+/// behind, and than 10 from the far end. The state behind is the mean over the slices from 15 spacings before
+/// the piston, where the start has left its trace, to 12 behind the front. The velocity is the slope of a
+/// straight line; neighbouring frames see the same matter, so that all errors come from the means of six
+/// blocks of frames. Nothing for fewer than 12 such frames.
+std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale);
+
+} // namespace mesobridge::sdpd

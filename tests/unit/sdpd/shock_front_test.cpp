@@ -1,0 +1,72 @@
+#include "sdpd/observe/shock_front.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace mesobridge::sdpd {
+namespace {
+
+constexpr double v_P = 3, v_S = 7, noise = 0.2;
+constexpr int slices = 200;
+
+ShockScale scale() {
+  ShockScale of{.position = {}, .v_P = v_P, .spacing = 1};
+  for (int s = 0; s < slices; ++s)
+    of.position.push_back(s + 0.5);
+  return of;
+}
+
+/// A smooth front on its way, known everywhere, with noise in all slices.
+std::vector<ShockFrame> moving_front(int frames) {
+  std::mt19937 generator(5);
+  std::normal_distribution<double> G(0, noise);
+  std::vector<ShockFrame> all;
+  for (int k = 0; k < frames; ++k) {
+    ShockFrame frame{.time = 0.4 * k, .piston = v_P * 0.4 * k, .velocity = {}, .rho = {}, .P = {}, .T = {}};
+    for (double const z : scale().position) {
+      double const part = 0.5 * (1 - std::tanh((z - v_S * frame.time) / 2));
+      frame.velocity.push_back(v_P * part + G(generator)),
+          frame.rho.push_back(1 + 0.75 * part + G(generator));
+      frame.P.push_back(2 + 21 * part + G(generator)), frame.T.push_back(1 + part + G(generator));
+    }
+    all.push_back(frame);
+  }
+  return all;
+}
+
+TEST(ShockFront, IsFoundByTheLastCrossingFromAhead) {
+  auto frame = moving_front(30)[20];
+  double const front = v_S * frame.time;
+  EXPECT_NEAR(*front_position(frame, scale()), front, 4 * noise * 4 / v_P); // slope v_P/4
+  frame.velocity[20] = 0; // a hole behind the front does not matter
+  EXPECT_NEAR(*front_position(frame, scale()), front, 4 * noise * 4 / v_P);
+  frame.velocity.back() = v_P;
+  EXPECT_FALSE(front_position(frame, scale()));
+  frame.velocity.assign(slices, 0.0);
+  EXPECT_FALSE(front_position(frame, scale()));
+}
+
+TEST(SteadyShock, HasTheVelocityAndTheStateOfTheFront) {
+  auto const shock = steady_shock(moving_front(80), scale());
+  ASSERT_TRUE(shock);
+  EXPECT_GT(shock->times.size(), 30u);
+  for (auto const& [found, exact] :
+       {std::pair(shock->v_S, v_S), {shock->rho, 1.75}, {shock->P, 23.0}, {shock->T, 2.0}}) {
+    EXPECT_GT(found.se, 0);
+    EXPECT_LT(found.se, 0.02 * exact);
+    EXPECT_LT(std::abs(cg::deviation(found, exact)), 6); // an error of six blocks is known to 30 %
+    EXPECT_GT(std::abs(cg::deviation(found, 1.05 * exact)), 6);
+  }
+}
+
+TEST(SteadyShock, NeedsEnoughFramesThatAreFarFromBothEnds) {
+  EXPECT_FALSE(steady_shock(moving_front(30), scale()));
+  EXPECT_FALSE(steady_shock({}, scale()));
+  auto const shock = steady_shock(moving_front(80), scale());
+  ASSERT_TRUE(shock);
+  EXPECT_GT(shock->fronts.front(), v_P * shock->times.front() + 40);
+  EXPECT_LT(shock->fronts.back(), slices - 10);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd

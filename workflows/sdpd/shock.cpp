@@ -1,0 +1,194 @@
+#include "workflows/sdpd/shock.hpp"
+#include "workflows/report/number_text.hpp"
+#include "workflows/sdpd/run_plots.hpp"
+#include "workflows/summary.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace mesobridge::workflows {
+namespace {
+
+int walled_axis(Scene const& scene) {
+  return scene.box.x == "walls" ? 0 : scene.box.y == "walls" ? 1 : 2;
+}
+
+/// One row a profile; `component` of `components` numbers a slice.
+std::vector<std::vector<double>> rows_of(Store const& store, std::string const& name, std::size_t slices,
+                                         std::size_t components = 1, std::size_t component = 0) {
+  auto const all = store.read_doubles("profile/" + name);
+  std::vector<std::vector<double>> rows(all.size() / (slices * components));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t s = 0; s < slices; ++s)
+      rows[k].push_back(all[(k * slices + s) * components + component]);
+  return rows;
+}
+
+/// The frames of a run; none where something is missing.
+std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
+                                        sdpd::SimulationSettings const& settings, std::size_t slices) {
+  OutputUnits const units(settings.units(), scene.units);
+  auto const axis = static_cast<std::size_t>(walled_axis(scene));
+  auto const time = store.read_doubles("profile/time" + units.time_key);
+  auto const velocity = rows_of(store, "velocity" + units.velocity_key, slices, 3, axis);
+  auto const rho = rows_of(store, "rho" + units.density_key, slices),
+             P = rows_of(store, "P" + units.pressure_key, slices),
+             T = rows_of(store, "T_int" + units.temperature_key, slices);
+  auto const& motion = settings.faces[axis][0].motion;
+  std::vector<sdpd::ShockFrame> frames;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    frames.push_back({time[k], motion.way_at(time[k]), velocity[k], rho[k], P[k], T[k]});
+  return frames;
+}
+
+std::optional<fitting::Shock> rankine_hugoniot(sdpd::SimulationSettings const& settings, double v_P) {
+  auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
+  if (!fluid)
+    return std::nullopt;
+  auto const ahead = std::visit(
+      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
+      fluid->eos);
+  return fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(v_P);
+}
+
+/// Means over the frames at equal distances from the front, with the spread of the frames as their error.
+void average_in_frame(ShockOfRun& shock, std::vector<sdpd::ShockFrame> const& frames,
+                      std::vector<double> const& position, double spacing) {
+  double const width = position[1] - position[0];
+  for (double depth = -60 * spacing; depth <= 20 * spacing; depth += width) {
+    std::array<std::vector<double>, 3> seen;
+    for (std::size_t k = 0; k < shock.measured.times.size(); ++k) {
+      auto const& frame = frames[shock.measured.first + k];
+      double const at = shock.measured.fronts[k] + depth;
+      if (at < frame.piston + 15 * spacing)
+        continue;
+      double const place = (at - position[0]) / width;
+      if (place < 0 || place >= static_cast<double>(position.size() - 1))
+        continue;
+      auto const s = static_cast<std::size_t>(place);
+      double const part = place - static_cast<double>(s);
+      auto const& all = {&frame.rho, &frame.P, &frame.T};
+      std::size_t q = 0;
+      for (auto const* values : all)
+        seen[q++].push_back((1 - part) * (*values)[s] + part * (*values)[s + 1]);
+    }
+    if (seen[0].size() < 16)
+      continue;
+    shock.depth.push_back(depth);
+    shock.rho.push_back(cg::estimate_mean(seen[0])), shock.P.push_back(cg::estimate_mean(seen[1])),
+        shock.T.push_back(cg::estimate_mean(seen[2]));
+  }
+}
+
+} // namespace
+
+std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
+                                   sdpd::SimulationSettings const& settings) {
+  OutputUnits const units(settings.units(), scene.units);
+  bool const along = scene.profile.axis[0] - 'x' == walled_axis(scene);
+  if (!scene.box.piston || *scene.box.piston <= 0 || !along || scene.profile.every == 0)
+    return std::nullopt;
+  for (auto const& name : {"velocity" + units.velocity_key, "rho" + units.density_key,
+                           "P" + units.pressure_key, "T_int" + units.temperature_key})
+    if (!store.contains("profile/" + name))
+      return std::nullopt;
+  double const v_P = *scene.box.piston, spacing = settings.spacing() * units.length;
+  sdpd::ShockScale const scale{store.read_doubles("profile/position" + units.length_key), v_P, spacing};
+  auto const frames = frames_of(store, scene, settings, scale.position.size());
+  auto const steady = sdpd::steady_shock(frames, scale);
+  if (!steady)
+    return std::nullopt;
+  ShockOfRun shock{.measured = *steady,
+                   .exact = rankine_hugoniot(settings, v_P),
+                   .depth = {},
+                   .rho = {},
+                   .P = {},
+                   .T = {}};
+  average_in_frame(shock, frames, scale.position, spacing);
+  return shock;
+}
+
+void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units) {
+  auto const& [v_S, rho, P, T, times, fronts, first] = shock.measured;
+  put(json, "shock_v_S" + units.velocity_key, v_S);
+  put(json, "plateau_rho" + units.density_key, rho);
+  put(json, "plateau_P" + units.pressure_key, P);
+  put(json, "plateau_T" + units.temperature_key, T);
+  if (shock.exact)
+    json["rankine_hugoniot"] = {{"v_S" + units.velocity_key, shock.exact->v_S},
+                                {"rho" + units.density_key, shock.exact->behind.rho},
+                                {"P" + units.pressure_key, shock.exact->behind.P},
+                                {"T" + units.temperature_key, shock.exact->behind.T}};
+}
+
+namespace {
+
+Plot in_the_frame(std::string const& quantity, std::string const& key, ShockOfRun const& shock,
+                  std::vector<cg::Estimate> const& values, OutputUnits const& units,
+                  std::optional<std::pair<double, double>> const& levels) {
+  auto const x = axis_of("z" + units.length_key), y = axis_of(quantity + key);
+  Plot plot{.name = drawing_name("shock" + quantity),
+            .title = quantity + " in the frame of the front",
+            .x = {.label = "distance from the front" + x.label.substr(1)},
+            .panels = {Panel{}}};
+  Series series{.label = "", .x = scaled(shock.depth, x.factor), .y = {}, .y_error = {}};
+  for (auto const& value : values)
+    series.y.push_back(value.mean * y.factor), series.y_error.push_back(value.se * y.factor);
+  plot.panels[0].series = {std::move(series)};
+  plot.panels[0].y.label = y.label;
+  if (levels)
+    plot.panels[0].level_lines = {levels->first * y.factor, levels->second * y.factor};
+  return plot;
+}
+
+Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
+  auto const x = axis_of("time" + units.time_key), y = axis_of("front" + units.length_key);
+  Plot plot{
+      .name = "shockfront", .title = "The way of the front", .x = {.label = x.label}, .panels = {Panel{}}};
+  plot.panels[0].y.label = y.label;
+  plot.panels[0].series = {{.label = "",
+                            .x = scaled(shock.measured.times, x.factor),
+                            .y = scaled(shock.measured.fronts, y.factor),
+                            .y_error = {}}};
+  return plot;
+}
+
+} // namespace
+
+Section shock_section(ShockOfRun const& shock, RunResult const& run) {
+  OutputUnits const units(run.settings.units(), run.scene.units);
+  bool const si = run.scene.units == UnitSystem::SI;
+  Table table{.header = comparison_header(),
+              .rows = {},
+              .caption =
+                  "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
+                  "and Hugoniot with the same equation of state."};
+  auto const add = [&](std::string const& name, std::string const& unit, cg::Estimate const& ours,
+                       auto exact) {
+    auto const quantity = si ? name + " [" + unit + "]" : name;
+    table.rows.push_back(shock.exact ? comparison_row(quantity, ours, exact(*shock.exact))
+                                     : std::vector<std::string>{quantity, with_error_text(ours), "", "", ""});
+  };
+  add("velocity of the shock", "m/s", shock.measured.v_S, [](auto const& of) { return of.v_S; });
+  add("density behind it", "kg/m^3", shock.measured.rho, [](auto const& of) { return of.behind.rho; });
+  add("pressure", "Pa", shock.measured.P, [](auto const& of) { return of.behind.P; });
+  add("temperature", "K", shock.measured.T, [](auto const& of) { return of.behind.T; });
+  using Levels = std::optional<std::pair<double, double>>;
+  auto const levels = [&](auto member) {
+    return shock.exact ? Levels(std::pair(shock.exact->ahead.*member, shock.exact->behind.*member))
+                       : Levels();
+  };
+  Figure figure{
+      {},
+      "Means over the frames with their standard errors; lines: the states ahead and behind by Rankine "
+      "and Hugoniot. The first 15 mean distances between particles at the piston are left out."};
+  figure.svgs.push_back(draw_svg(way_of_the_front(shock, units)));
+  figure.svgs.push_back(draw_svg(
+      in_the_frame("rho", units.density_key, shock, shock.rho, units, levels(&fitting::EosState::rho))));
+  figure.svgs.push_back(
+      draw_svg(in_the_frame("P", units.pressure_key, shock, shock.P, units, levels(&fitting::EosState::P))));
+  figure.svgs.push_back(draw_svg(
+      in_the_frame("T", units.temperature_key, shock, shock.T, units, levels(&fitting::EosState::T))));
+  return {"Shock", {std::move(table), std::move(figure)}};
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,30 @@
+#pragma once
+#include "fitting/shock_relations.hpp"
+#include "sdpd/observe/shock_front.hpp"
+#include "workflows/report/report.hpp"
+#include "workflows/sdpd/run_scene.hpp"
+#include "workflows/store/store.hpp"
+
+namespace mesobridge::workflows {
+
+/// What a piston's run shows of its shock, by its profiles along the piston's way; in the scene's units.
+struct ShockOfRun {
+  sdpd::SteadyShock measured;
+  std::optional<fitting::Shock>
+      exact;                 ///< by the relations of Rankine and Hugoniot of the scene's equation of state
+  std::vector<double> depth; ///< distance from the front of the means over all frames, < 0 behind it
+  std::vector<cg::Estimate> rho, P, T;
+};
+
+/// Nothing where there is no piston, no profile of velocity, rho, T_int and P along its way, or no steady
+/// shock.
+std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
+                                   sdpd::SimulationSettings const& settings);
+
+/// v_S and the plateau's rho, P, T with standard errors, and `rankine_hugoniot`.
+void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units);
+
+/// A table beside Rankine and Hugoniot's, the way of the front, and the profiles in its frame.
+Section shock_section(ShockOfRun const& shock, RunResult const& run);
+
+} // namespace mesobridge::workflows
