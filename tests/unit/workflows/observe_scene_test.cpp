@@ -63,7 +63,7 @@ TEST(ObserveScene, RefusesWhatCannotBeObserved) {
       {replaced(sdpd, "every = 50", "every = 2000"), {"profile.every", "run.steps = 1000"}},
       {replaced(sdpd, "every = 50", "evry = 50"), {"evry", "every"}},
       {replaced(dpd, "every = 10", "quantities = [\"T_int\"]"),
-       {"T_int", "theirs are: rho, velocity, T_kin"}},
+       {"T_int", "there are: rho, velocity, T_kin"}},
       {dpd + "[histogram]\nevery = 10\n", {"histogram.every", "none of the quantities"}},
   };
   int ran = 0;
