@@ -1,7 +1,7 @@
 #pragma once
 #include "sdpd/fluctuation/pair_lanes.hpp"
 
-/// The Metropolis test of EMS for pairs in lanes (sdpd/README.md, Eq. (S24)).
+/// The noise's part in the exponent of EMS, for pairs in lanes (sdpd/README.md, Eq. (S24)).
 namespace mesobridge::sdpd {
 
 /// a/b where b > 0, and 1 where both vanish (at the edge of the kernel, where nothing happens).
