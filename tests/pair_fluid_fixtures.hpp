@@ -27,7 +27,7 @@ inline SimulationSettings dpde_fluid(double C, double dt = 0.01, double across =
 }
 
 /// DPDE particles that conduct heat.
-inline SimulationSettings with_pair_conduction(SimulationSettings settings, AnyFrictionShape const& weight) {
+inline SimulationSettings with_pair_conduction(SimulationSettings settings, AnyWeightFunction const& weight) {
   settings.as<Dpde>().conduction = weight;
   return settings;
 }

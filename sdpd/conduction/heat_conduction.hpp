@@ -17,7 +17,7 @@ struct HeatStep {
 /// > 0). Leaves f(eps_i + eps_j) exp((S_i + S_j)/k_B) / (T_i T_j) alone. Without noise, k_B = 0.
 struct SdpdConduction {
   static constexpr bool has_energies = true, measure_over_T = true;
-  static constexpr Across across = Across::none;
+  static constexpr Transverse across = Transverse::none;
   static constexpr PairNoise noise = PairNoise::flow;
 
   double kappa, boltzmann;
@@ -41,10 +41,10 @@ struct SdpdConduction {
 /// alone.
 struct DpdeConduction {
   static constexpr bool has_energies = true, measure_over_T = false;
-  static constexpr Across across = Across::none;
+  static constexpr Transverse across = Transverse::none;
   static constexpr PairNoise noise = PairNoise::flow;
 
-  AnyFrictionShape shape; ///< w as the friction along the line of centres
+  AnyWeightFunction shape; ///< w as the friction along the line of centres
   double boltzmann;
 
   /// As for SDPD, with 1/T_i - 1/T_j for the Ornstein-Uhlenbeck process and c = 1/(T_i^2 C_i) + 1/(T_j^2

@@ -60,7 +60,7 @@ double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noi
   Vec3 const rest = -(dv + back.perp.decay * moved);
   double const along = -(dot(geometry.e, dv) + back.par.decay * dot(geometry.e, moved));
   double a = 0;
-  if constexpr (Law::across == Across::common) {
+  if constexpr (Law::across == Transverse::common) {
     double const across2 = norm2(rest) - dot(geometry.e, rest) * dot(geometry.e, rest);
     a = 0.5 * norm2(noise.G) - 0.5 * (along * along / back.par.variance + across2 / back.perp.variance) +
         0.5 * std::log(there.par.variance / back.par.variance) +
@@ -79,7 +79,7 @@ double ExactPair<Law>::log_acceptance(Geometry const& geometry, Noise const& noi
 }
 
 template class ExactPair<SdpdLaw>;
-template class ExactPair<DpdeLaw<Across::none>>;
-template class ExactPair<DpdeLaw<Across::own>>;
+template class ExactPair<DpdeLaw<Transverse::none>>;
+template class ExactPair<DpdeLaw<Transverse::own>>;
 
 } // namespace mesobridge::sdpd

@@ -8,12 +8,12 @@
 namespace mesobridge::sdpd {
 namespace {
 
-template <Across across, PairNoise noise, class Weights>
+template <Transverse across, PairNoise noise, class Weights>
 void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles, Weights const& weights,
                         std::span<LocalPair const> pairs, PairInputs& inputs) {
   // A distance beside the range may round past it, where some kernels are below zero. Pairs with one weight
   // for both directions keep some, because the Metropolis test asks for a density of their noise.
-  auto const least = constant<WideFloats>(across == Across::common ? 1e-30 : 0);
+  auto const least = constant<WideFloats>(across == Transverse::common ? 1e-30 : 0);
   for_each_group<wide_count>(pairs, particles, [&](LocalPair const* pair, std::size_t first, std::size_t) {
     auto const a = load_wide_rows([&](std::size_t l) { return &rows[pair[l].i]; });
     auto const b = load_wide_rows([&](std::size_t l) { return &rows[pair[l].j]; });
@@ -26,7 +26,7 @@ void prepare_directions(std::vector<FloatRow> const& rows, std::size_t particles
     }
     auto const weight = weights(r, inverse_r, a[3], b[3]);
     store(weight.par < least ? least : weight.par, &inputs.weight[first]);
-    if constexpr (across == Across::own)
+    if constexpr (across == Transverse::own)
       store(weight.perp < least ? least : weight.perp, &inputs.weight_across[first]);
   });
 }
@@ -94,7 +94,7 @@ void scale_weights(Law const& law, OwnMasses const& mass, std::span<LocalPair co
     auto const factor =
         static_cast<float>(weight_factor(law, PairMasses<double>{mass[pairs[k].i], mass[pairs[k].j]}));
     inputs.weight[k] *= factor;
-    if constexpr (Law::across == Across::own)
+    if constexpr (Law::across == Transverse::own)
       inputs.weight_across[k] *= factor;
   }
 }
@@ -251,13 +251,13 @@ template void prepare_pairs(System const&, SdpdConduction const&, BlockGeometry 
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
 template void prepare_pairs(System const&, DpdeConduction const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
-template void prepare_pairs(System const&, DpdeLaw<Across::none> const&, BlockGeometry const&,
+template void prepare_pairs(System const&, DpdeLaw<Transverse::none> const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
-template void prepare_pairs(System const&, DpdeLaw<Across::own> const&, BlockGeometry const&,
+template void prepare_pairs(System const&, DpdeLaw<Transverse::own> const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
-template void prepare_pairs(System const&, DpdLaw<Across::none> const&, BlockGeometry const&,
+template void prepare_pairs(System const&, DpdLaw<Transverse::none> const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
-template void prepare_pairs(System const&, DpdLaw<Across::own> const&, BlockGeometry const&,
+template void prepare_pairs(System const&, DpdLaw<Transverse::own> const&, BlockGeometry const&,
                             std::span<LocalPair const>, NoiseSource const&, PairInputs&);
 
 } // namespace mesobridge::sdpd

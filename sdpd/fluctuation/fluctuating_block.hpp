@@ -20,15 +20,15 @@ static_assert(sizeof(FluctuatingParticle) == sizeof(Lanes));
 struct PairInputs {
   std::vector<float> e_x, e_y, e_z, weight; ///< directions not where heat alone flows
   std::vector<float> G_x, G_y, G_z;         ///< the first alone where the noise is one number
-  std::vector<float> weight_across;         ///< for laws with Across::own
+  std::vector<float> weight_across;         ///< for laws with Transverse::own
   std::vector<std::uint32_t> bits;          ///< spare random bits of the noise
 
-  void resize(std::size_t count, Across across, PairNoise noise) {
+  void resize(std::size_t count, Transverse across, PairNoise noise) {
     for (auto* values : {&e_x, &e_y, &e_z, &weight, &G_x})
       values->resize(count);
     if (noise == PairNoise::vector)
       G_y.resize(count), G_z.resize(count);
-    if (across == Across::own)
+    if (across == Transverse::own)
       weight_across.resize(count);
     bits.resize(count);
   }

@@ -20,8 +20,8 @@ struct Friction {
     auto const& [inputs, k] = std::tie(pair.inputs, pair.k);
     Vec3 const e{inputs.e_x[k], inputs.e_y[k], inputs.e_z[k]};
     double const par = inputs.weight[k];
-    double perp = Law::across == Across::none ? 0 : par;
-    if constexpr (Law::across == Across::own)
+    double perp = Law::across == Transverse::none ? 0 : par;
+    if constexpr (Law::across == Transverse::own)
       perp = inputs.weight_across[k];
     ExactPair<Law>(pair.states, pair.boltzmann)
         .step(scheme, {.e = e, .weight = {par, perp}},

@@ -34,7 +34,7 @@ void freeze(System const& system, Law const& law, double dt, NoiseSource const& 
     auto const [a_par, a_perp] = law.coefficients(input.weight);
     FloatLanes const par = a_par * bath.gamma_over_a * duration;
     FloatLanes const perp =
-        Law::across == Across::none ? FloatLanes{} : a_perp * bath.gamma_over_a * duration;
+        Law::across == Transverse::none ? FloatLanes{} : a_perp * bath.gamma_over_a * duration;
     FloatLanes const kick = square_root(bath.thermal * perp), kick_par = square_root(bath.thermal * par);
     auto const &e = input.e, &G = input.G;
     FloatLanes const along = (kick_par - kick) * input.G_along;

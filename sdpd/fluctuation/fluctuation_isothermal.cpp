@@ -10,7 +10,7 @@ void fluctuate_isothermal(System& system, Law const& law, double dt, bool second
       [](auto const& exact, PairGroup const&) [[gnu::always_inline]] -> auto const& { return exact; });
 }
 
-template void fluctuate_isothermal(System&, DpdLaw<Across::none> const&, double, bool);
-template void fluctuate_isothermal(System&, DpdLaw<Across::own> const&, double, bool);
+template void fluctuate_isothermal(System&, DpdLaw<Transverse::none> const&, double, bool);
+template void fluctuate_isothermal(System&, DpdLaw<Transverse::own> const&, double, bool);
 
 } // namespace mesobridge::sdpd

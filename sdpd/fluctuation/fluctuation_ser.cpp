@@ -42,7 +42,7 @@ change_of(Start const& start, InputLanes<Law::across, FloatLanes> const& input, 
   FloatLanes const sigma_par = square_root(bath.thermal * gamma_par);
   VectorLanes<FloatLanes> const v{to_float(start.v.x), to_float(start.v.y), to_float(start.v.z)};
   auto const &e = input.e, &G = input.G;
-  if constexpr (Law::across == Across::none) {
+  if constexpr (Law::across == Transverse::none) {
     FloatLanes const along = sigma_par * input.G_along - gamma_par * dot(e, v);
     return {to_double(along * e.x), to_double(along * e.y), to_double(along * e.z)};
   } else {

@@ -32,7 +32,7 @@ struct Variances {
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
 noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
-            InputLanes<Across::common, Floats> const& input, VectorLanes<Floats> const& v,
+            InputLanes<Transverse::common, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   auto const& e = input.e;
   VectorLanes<Floats> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};
@@ -48,7 +48,7 @@ noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions co
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
 noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
-            InputLanes<Across::none, Floats> const& input, VectorLanes<Floats> const& v,
+            InputLanes<Transverse::none, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   Floats const along_dv = dot(input.e, dv), noise = input.G_along, noise2 = noise * noise;
   Floats const along = along_dv + back.par.decay * (dot(input.e, v) + along_dv);
@@ -59,7 +59,7 @@ noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions co
 template <class Floats>
 [[gnu::always_inline]] inline NoiseTerms<Floats>
 noise_terms(Variances<Floats> const& there, typename Bath<Floats>::Directions const& back,
-            InputLanes<Across::own, Floats> const& input, VectorLanes<Floats> const& v,
+            InputLanes<Transverse::own, Floats> const& input, VectorLanes<Floats> const& v,
             VectorLanes<Floats> const& dv) {
   auto const &e = input.e, &G = input.G;
   VectorLanes<Floats> const moved{v.x + dv.x, v.y + dv.y, v.z + dv.z};

@@ -74,7 +74,7 @@ struct VectorLanes {
 };
 
 /// Geometry and noise of as many pairs as there are Floats.
-template <Across across, class Floats>
+template <Transverse across, class Floats>
 struct InputLanes {
   PairWeights<Floats> weight;
   VectorLanes<Floats> e, G;
@@ -83,7 +83,7 @@ struct InputLanes {
   [[gnu::always_inline]] InputLanes(PairInputs const& from, std::size_t first)
       : e{load<Floats>(&from.e_x[first]), load<Floats>(&from.e_y[first]), load<Floats>(&from.e_z[first])} {
     Floats const x = load<Floats>(&from.G_x[first]);
-    if constexpr (across == Across::none) {
+    if constexpr (across == Transverse::none) {
       G_along = x;
       G = {x * e.x, x * e.y, x * e.z};
     } else {
@@ -91,7 +91,7 @@ struct InputLanes {
       G_along = dot(e, G);
     }
     weight.par = weight.perp = load<Floats>(&from.weight[first]);
-    if constexpr (across == Across::own)
+    if constexpr (across == Transverse::own)
       weight.perp = load<Floats>(&from.weight_across[first]);
   }
 };
@@ -101,20 +101,20 @@ template <class Law, class Floats>
 [[gnu::always_inline]] inline typename Bath<Floats>::Directions
 step_in(Bath<Floats> const& bath, Law const& law, PairWeights<Floats> const& weight, double dt) {
   auto const [a_par, a_perp] = law.coefficients(weight);
-  if constexpr (Law::across == Across::none)
+  if constexpr (Law::across == Transverse::none)
     return {bath.step(a_par, dt), {Floats{}, Floats{}}};
   else
     return bath.step(a_par, a_perp, law.par_is_twice_perp(), dt);
 }
 
 /// The change of the relative velocity v.
-template <Across across, class Floats>
+template <Transverse across, class Floats>
 [[gnu::always_inline]] inline VectorLanes<Floats>
 velocity_change(typename Bath<Floats>::Directions const& step, InputLanes<across, Floats> const& input,
                 VectorLanes<Floats> const& v) {
   auto const& [par, perp] = step;
   auto const &e = input.e, &G = input.G;
-  if constexpr (across == Across::none) {
+  if constexpr (across == Transverse::none) {
     Floats const along = par.decay * dot(e, v) + par.kick() * input.G_along;
     return {along * e.x, along * e.y, along * e.z};
   } else {

@@ -59,11 +59,11 @@ inline VelocityScale<double> scale_of(OwnMasses const& mass, LocalPair pair) {
 inline double weight_factor(SdpdLaw const&, PairMasses<double> const& mass) {
   return mass.product() / mass.reduced();
 }
-template <Across across>
+template <Transverse across>
 double weight_factor(DpdeLaw<across> const&, PairMasses<double> const& mass) {
   return 1 / mass.reduced();
 }
-template <Across across>
+template <Transverse across>
 double weight_factor(DpdLaw<across> const&, PairMasses<double> const& mass) {
   return 1 / mass.reduced();
 }

@@ -66,7 +66,7 @@ enum class PairNoise {
 };
 
 /// The friction across the line of centres.
-enum class Across {
+enum class Transverse {
   none,   ///< there is none
   common, ///< it belongs to the same weight as that along the line
   own     ///< it has a weight of its own

@@ -7,13 +7,13 @@ namespace mesobridge::sdpd {
 /// gamma = (sigma^2/4k_B)(1/T_i + 1/T_j), so that gamma = a at T_i = T_j = T_0. The weight is a, the friction
 /// coefficient at T_0 (T_0 = 1, the unit of temperature). The invariant measure is exp(S/k_B) for each
 /// particle.
-template <Across across_>
+template <Transverse across_>
 struct DpdeLaw {
   static constexpr bool has_energies = true, measure_over_T = false;
-  static constexpr Across across = across_;
-  static constexpr PairNoise noise = across == Across::none ? PairNoise::along : PairNoise::vector;
+  static constexpr Transverse across = across_;
+  static constexpr PairNoise noise = across == Transverse::none ? PairNoise::along : PairNoise::vector;
 
-  AnyFrictionShape shape;
+  AnyWeightFunction shape;
   double boltzmann;
 
   template <class X>
@@ -31,13 +31,13 @@ struct DpdeLaw {
 
 /// The pair law of DPD (Eq. (S12)): gamma = sigma^2/(2 k_B T) at the set temperature T = 1; internal energies
 /// are not followed.
-template <Across across_>
+template <Transverse across_>
 struct DpdLaw {
   static constexpr bool has_energies = false, measure_over_T = false;
-  static constexpr Across across = across_;
-  static constexpr PairNoise noise = across == Across::none ? PairNoise::along : PairNoise::vector;
+  static constexpr Transverse across = across_;
+  static constexpr PairNoise noise = across == Transverse::none ? PairNoise::along : PairNoise::vector;
 
-  AnyFrictionShape shape;
+  AnyWeightFunction shape;
   double boltzmann;
 
   template <class X>

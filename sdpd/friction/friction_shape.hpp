@@ -65,10 +65,11 @@ class TabulatedFriction {
   UniformTable table_;
 };
 
-using AnyFrictionShape = std::variant<PowerFriction, TabulatedFriction>;
+using AnyWeightFunction = std::variant<PowerFriction, TabulatedFriction>;
 
-inline AnyFrictionShape in_units(AnyFrictionShape const& shape, double length, double friction) {
-  return std::visit([&](auto const& of) -> AnyFrictionShape { return of.in_units(length, friction); }, shape);
+inline AnyWeightFunction in_units(AnyWeightFunction const& shape, double length, double friction) {
+  return std::visit([&](auto const& of) -> AnyWeightFunction { return of.in_units(length, friction); },
+                    shape);
 }
 
 } // namespace mesobridge::sdpd

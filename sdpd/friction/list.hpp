@@ -6,7 +6,7 @@
 namespace mesobridge::sdpd {
 
 /// Every law of friction and noise; fluctuation and dissipation choose once, outside their loops.
-using AnyPairLaw = std::variant<SdpdLaw, DpdeLaw<Across::none>, DpdeLaw<Across::own>, DpdLaw<Across::none>,
-                                DpdLaw<Across::own>>;
+using AnyPairLaw = std::variant<SdpdLaw, DpdeLaw<Transverse::none>, DpdeLaw<Transverse::own>,
+                                DpdLaw<Transverse::none>, DpdLaw<Transverse::own>>;
 
 } // namespace mesobridge::sdpd

@@ -48,7 +48,7 @@ class SdpdFriction {
 /// exp(S/k_B)/T for each particle.
 struct SdpdLaw {
   static constexpr bool has_energies = true, measure_over_T = true;
-  static constexpr Across across = Across::common;
+  static constexpr Transverse across = Transverse::common;
   static constexpr PairNoise noise = PairNoise::vector;
 
   SdpdFriction friction;

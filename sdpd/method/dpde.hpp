@@ -15,7 +15,7 @@ struct Dpde : PairFluid {
   fitting::AnyInternalEnergy internal_energy;
   /// kappa chi^2 of DpdeConduction, in energy times temperature over time, as the weight along the line of
   /// centres; without it particles exchange heat by friction alone.
-  std::optional<AnyFrictionShape> conduction = {};
+  std::optional<AnyWeightFunction> conduction = {};
   /// Several species, whose masses and internal energies take the place of those above.
   std::vector<DpdeSpecies> species = {};
 

@@ -35,7 +35,7 @@ void PairFluid::check(SimulationSettings const& at) const {
   require(at.noise, "noise", at.noise, "DPD and DPDE need their noise");
 }
 
-AnyFrictionShape PairFluid::reduced_friction(SimulationSettings const& at) const {
+AnyWeightFunction PairFluid::reduced_friction(SimulationSettings const& at) const {
   auto const reduced = units(at);
   return in_units(friction, reduced.length(), reduced.mass() / reduced.time());
 }

@@ -11,7 +11,7 @@ struct PairFluid {
   double mass;          ///< of a particle, > 0; with several species the unit of mass
   double boltzmann = 1; ///< k_B
   AnyPotential potential;
-  AnyFrictionShape friction; ///< friction coefficients at the set temperature
+  AnyWeightFunction friction; ///< friction coefficients at the set temperature
 
   double friction_cutoff() const;
   /// The customary units of DPD: m, the friction's cut-off and k_B T are one.
@@ -23,16 +23,17 @@ struct PairFluid {
 
  protected:
   /// The parts that do not depend on whether there are internal energies; `Law` is DpdLaw or DpdeLaw.
-  template <template <Across> class Law>
+  template <template <Transverse> class Law>
   MethodParts parts_with(SimulationSettings const& at) const {
     auto const shape = reduced_friction(at);
     bool const across = std::visit([](auto const& of) { return of.has_across(); }, friction);
-    return parts_with(across ? AnyPairLaw(Law<Across::own>{shape, k_B}) : Law<Across::none>{shape, k_B}, at);
+    return parts_with(
+        across ? AnyPairLaw(Law<Transverse::own>{shape, k_B}) : Law<Transverse::none>{shape, k_B}, at);
   }
 
  private:
   static constexpr double k_B = 1; // energies count in k_B T
-  AnyFrictionShape reduced_friction(SimulationSettings const& at) const;
+  AnyWeightFunction reduced_friction(SimulationSettings const& at) const;
   MethodParts parts_with(AnyPairLaw law, SimulationSettings const& at) const;
 };
 

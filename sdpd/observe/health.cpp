@@ -89,7 +89,7 @@ class Examination {
     if (is_beyond(heating, se, much))
       add("energy_drift", std::abs(heating) > too_much,
           fmt::format("the total energy {} over the run by what {} the fluid by {:.3g} % of its temperature; "
-                      "take a shorter time step, or conservative = \"two-stage\"",
+                      "take a shorter time step, or conservative = \"mclachlan\"",
                       heating > 0 ? "grew" : "fell", heating > 0 ? "heats" : "cools",
                       100 * std::abs(heating)));
   }

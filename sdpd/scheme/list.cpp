@@ -15,7 +15,7 @@ PairIntegrator entropy_integrator();
 PairIntegrator lowe_andersen_integrator();
 
 ConservativeIntegrator verlet_integrator();
-ConservativeIntegrator two_stage_integrator();
+ConservativeIntegrator mclachlan_integrator();
 ConservativeIntegrator position_verlet_integrator();
 ConservativeIntegrator no_integrator();
 
@@ -30,7 +30,7 @@ std::vector<PairIntegrator> const& pair_integrators() {
 std::vector<ConservativeIntegrator> const& conservative_integrators() {
   static std::vector const list{
       verlet_integrator(),
-      two_stage_integrator(),
+      mclachlan_integrator(),
       position_verlet_integrator(),
       no_integrator(),
   };

@@ -17,7 +17,7 @@ struct Options {
   std::vector<std::string> set;
   TradeOffPlan plan{.schemes = {},
                     .splittings = {"lie-trotter"},
-                    .integrators = {"verlet", "two-stage"},
+                    .integrators = {"verlet", "mclachlan"},
                     .dt = {},
                     .K = {}};
   std::optional<std::string> drift, bias;

@@ -51,7 +51,7 @@ fitting::PowerLaw LineResult::drift_law() const {
   return fitting::fit_power_law(x, y);
 }
 
-Effort effort_of(md::Preset preset) {
+RunLength run_length_of(md::Preset preset) {
   switch (preset) {
   case md::Preset::quick:
     return {1, 343};
@@ -65,12 +65,12 @@ Effort effort_of(md::Preset preset) {
 
 std::vector<LineResult> run_lines(std::string const& title, std::vector<StudyLine> const& lines,
                                   ReproduceOptions const& options, Context const& context) {
-  auto const effort = effort_of(options.preset);
+  auto const run_length = run_length_of(options.preset);
   std::vector<PlannedTrial> plan;
   for (auto const& line : lines)
     for (double const dt : line.dt) {
-      Scene scene = small_sample(line.scene, effort.particles);
-      set_times(scene, dt, settle, effort.length * line.time);
+      Scene scene = small_sample(line.scene, run_length.particles);
+      set_times(scene, dt, settle, run_length.length * line.time);
       plan.push_back({file_name(line.label, dt), scene, line.bins});
     }
   auto const directory = options.directory / "trials";

@@ -42,11 +42,11 @@ std::vector<LineResult> run_lines(std::string const& title, std::vector<StudyLin
                                   ReproduceOptions const& options, Context const& context);
 
 /// How long the trials of a preset sample, as a multiple of the quick ones, and how many particles they have.
-struct Effort {
+struct RunLength {
   double length;
   std::int64_t particles;
 };
-Effort effort_of(md::Preset preset);
+RunLength run_length_of(md::Preset preset);
 
 /// Points with errors over the time step, without those whose error reaches zero.
 Series resolved_points(std::string label, std::vector<double> const& x, std::vector<cg::Estimate> const& y,

@@ -28,8 +28,8 @@ void add(std::vector<StabilityCase>& cases, std::string group, Scene scene, doub
   std::string name = fmt::format("{}, {}, K = {:g}, {:g} kg/m³, {:g} K, η = {:g} Pa s, dt = {:g}",
                                  scene.fluid.eos, scene.scheme.name, scene.particles.K, scene.fluid.rho,
                                  scene.fluid.T, scene.transport.eta, dt);
-  if (scene.scheme.conservative == "two-stage")
-    name += ", two-stage";
+  if (scene.scheme.conservative == "mclachlan")
+    name += ", mclachlan";
   if (scene.scheme.energy == "kept")
     name += ", energy kept";
   cases.push_back({std::move(group), std::move(name), std::move(scene), std::move(expected)});
@@ -61,7 +61,7 @@ void add_schemes(std::vector<StabilityCase>& cases) {
   for (std::string const scheme : {"ems", "ams"})
     for (double const K : {2.0, 5.0}) {
       Scene scene = fluid("ideal-gas", 1150, 1000, K, 2e-3, scheme);
-      scene.scheme.conservative = "two-stage", scene.scheme.energy = "kept";
+      scene.scheme.conservative = "mclachlan", scene.scheme.energy = "kept";
       add(cases, whole, scene, 0.8, "runs");
     }
   moving("ems", 2, 0.1, "runs"), moving("ams", 2, 0.1, "runs");
@@ -120,7 +120,7 @@ Reproduced reproduce_stability(ReproduceOptions const& options, Context const& c
   std::error_code ignored;
   std::filesystem::create_directories(options.directory / "trials",
                                       ignored); // writing there says what is wrong
-  auto const results = run_stability(cases, time_of_a_run * effort_of(options.preset).length,
+  auto const results = run_stability(cases, time_of_a_run * run_length_of(options.preset).length,
                                      {.directory = options.directory / "trials",
                                       .threads = options.threads,
                                       .keep_going = [&](double share, std::string const& name) {

@@ -21,6 +21,8 @@ struct SceneKey {
   std::function<Slot(Scene&)> slot;
   std::optional<Dimension> dimension; ///< of a quantity: then SI scenes give it as a string with a unit
   NumberRange range;
+  /// Texts that were allowed once, and what they are called now.
+  std::vector<std::pair<std::string, std::string>> former;
   std::vector<std::string> choices;          ///< of a text, or of the texts of a list; empty: any
   bool required = false;                     ///< if not, the default is that of a fresh Scene
   std::vector<std::string> methods;          ///< the methods that have the key; empty: all

@@ -95,6 +95,12 @@ void refuse_unknown(toml::table const& scene, Places& places) {
   }
 }
 
+/// What a text that was allowed once is called now.
+std::optional<std::string> name_of_today(SceneKey const& key, std::string const& text) {
+  auto const found = std::ranges::find(key.former, text, &std::pair<std::string, std::string>::first);
+  return found == key.former.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// Stores one node where its key wants it; throws InputError without place and key, which the caller adds.
 struct SlotReader {
   toml::node const& node;
@@ -106,9 +112,11 @@ struct SlotReader {
   std::string text() const { return text(node); }
 
   std::string text(toml::node const& of) const {
-    auto const value = of.value_exact<std::string>();
+    auto value = of.value_exact<std::string>();
     if (!value)
       refuse();
+    if (auto const now = name_of_today(key, *value))
+      value = *now;
     if (!key.choices.empty() &&
         std::find(key.choices.begin(), key.choices.end(), *value) == key.choices.end())
       throw InputError("must be " + key.allowed(units) + did_you_mean(*value, key.choices));
@@ -218,6 +226,9 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
                                    key.meaning, key.allowed(scene.units)));
     if (!node)
       continue;
+    if (auto const now = name_of_today(key, node->value_or(std::string())))
+      scene.notes.push_back(fmt::format("{}: {} = {}: is called \"{}\" now", places.of(key.path()),
+                                        key.path(), text_of(*node), *now));
     try {
       std::visit(SlotReader{*node, key, scene.units}, key.slot(scene));
     } catch (InputError const& error) {

@@ -150,6 +150,8 @@ struct Scene {
     bool operator==(Output const&) const = default;
   } output;
 
+  std::vector<std::string> notes = {}; ///< what the reader of the scene is to know, such as names of before
+
   bool operator==(Scene const&) const = default;
 
   sdpd::Features features() const; ///< of the method's particles

@@ -43,7 +43,7 @@ sdpd::AnyPotential potential_of(Scene const& scene) {
   return kind.make(values);
 }
 
-sdpd::AnyFrictionShape friction_of(Scene const& scene) {
+sdpd::AnyWeightFunction friction_of(Scene const& scene) {
   auto const& friction = scene.friction;
   if (!friction.file)
     return sdpd::PowerFriction(*friction.gamma_par, friction.gamma_perp, *friction.cutoff,
@@ -56,7 +56,7 @@ sdpd::AnyFrictionShape friction_of(Scene const& scene) {
 }
 
 /// The scene's checks have seen to it that a cut-off comes with a conductivity.
-std::optional<sdpd::AnyFrictionShape> conduction_of(Scene const& scene, double friction_cutoff) {
+std::optional<sdpd::AnyWeightFunction> conduction_of(Scene const& scene, double friction_cutoff) {
   auto const& conduction = scene.conduction;
   if (conduction.file) {
     std::string const r = is_si(scene) ? "r_m" : "r", kappa = is_si(scene) ? "kappa_W_K" : "kappa";

@@ -18,6 +18,8 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
   std::vector<sdpd::Finding> doubts;
+  for (auto const& note : scene.notes)
+    doubts.push_back({"note", false, note});
   if (settings.features().densities)
     if (auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T))
       doubts.push_back({"range", false, fmt::format("fluid.eos: {}", *doubt)});

@@ -33,8 +33,9 @@ cg::Estimate scaled(cg::Estimate const& e, double factor) {
 /// between it warms the motion. Counted in k_BT that energy goes as K. At K = 25000 the motion is too warm by
 /// 2 per cent after 250 units of time and by 0.3 or less after 2000; with the kernel Wendland C2 such
 /// particles crystallise on the way.
-std::uint64_t settling_steps(SizeEffort const& effort, double K) {
-  return std::max(effort.settle, static_cast<std::uint64_t>(effort.settle_per_size * K / time_step(K)));
+std::uint64_t settling_steps(SizeRunLength const& run_length, double K) {
+  return std::max(run_length.settle,
+                  static_cast<std::uint64_t>(run_length.settle_per_size * K / time_step(K)));
 }
 
 /// Kinetic and internal energy of a particle that the invariant measure gives, at densities that were met.
@@ -73,10 +74,11 @@ fitting::EosState eos_state(sdpd::SimulationSettings const& s) {
                     s.as<sdpd::Sdpd>().eos);
 }
 
-FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment, SizeEffort const& effort) {
+FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment,
+                   SizeRunLength const& run_length) {
   sdpd::Simulation simulation(settings);
   auto const keep_going = [] { return !interrupt_requested(); };
-  sdpd::equilibrate(simulation, settling_steps(effort, settings.K()), keep_going);
+  sdpd::equilibrate(simulation, settling_steps(run_length, settings.K()), keep_going);
   auto const eos = eos_state(settings);
   auto const units = settings.units();
   constexpr std::uint64_t every = 3;
@@ -84,7 +86,7 @@ FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment
   FluidRun result{
       .kernel = fluid.kernel, .K = fluid.K, .treatment = treatment, .constants = fluid.density_correction};
   std::vector<double> P, rho, T_kin, T_int;
-  std::uint64_t const samples = effort.sample / every,
+  std::uint64_t const samples = run_length.sample / every,
                       between = std::max<std::uint64_t>(1, samples / instants);
   double energy = 0;
   ExpectedEnergy expected(settings, simulation.size());
@@ -110,15 +112,16 @@ FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment
   return result;
 }
 
-Structure find_structure(std::string const& kernel, double K, std::uint64_t seed, SizeEffort const& effort) {
+Structure find_structure(std::string const& kernel, double K, std::uint64_t seed,
+                         SizeRunLength const& run_length) {
   constexpr double r_max = 4;
   constexpr std::size_t bins = 100;
   auto const settings = fluid(kernel, K, seed);
   sdpd::Simulation simulation(settings);
-  sdpd::equilibrate(simulation, settling_steps(effort, K), [] { return !interrupt_requested(); });
+  sdpd::equilibrate(simulation, settling_steps(run_length, K), [] { return !interrupt_requested(); });
   sdpd::RadialDistribution g(simulation.box(), r_max, bins);
   for (std::uint64_t k = 0; k < instants; ++k) {
-    simulation.advance(effort.sample / (2 * instants));
+    simulation.advance(run_length.sample / (2 * instants));
     throw_if_interrupted();
     g.add(simulation.snapshot().q);
   }

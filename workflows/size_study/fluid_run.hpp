@@ -5,7 +5,7 @@
 namespace mesobridge::workflows {
 
 /// The sizes, and the steps of one calibration and of one run.
-struct SizeEffort {
+struct SizeRunLength {
   std::vector<double> sizes;
   std::uint64_t calibrate, settle, sample;
   double settle_per_size; ///< at least this time (reduced) for each atom of a particle
@@ -18,9 +18,11 @@ sdpd::SimulationSettings fluid(std::string const& kernel, double K, std::uint64_
 fitting::EosState eos_state(sdpd::SimulationSettings const& settings);
 
 /// Settles and samples a fluid. Throws Interrupted.
-FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment, SizeEffort const& effort);
+FluidRun run_fluid(sdpd::SimulationSettings const& settings, Treatment treatment,
+                   SizeRunLength const& run_length);
 
 /// g(r) of a settled fluid. Throws Interrupted.
-Structure find_structure(std::string const& kernel, double K, std::uint64_t seed, SizeEffort const& effort);
+Structure find_structure(std::string const& kernel, double K, std::uint64_t seed,
+                         SizeRunLength const& run_length);
 
 } // namespace mesobridge::workflows

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shock_compression = 1.34; // a shocked state: this factor in density and in temperature
 
-SizeEffort effort_of(md::Preset preset) {
+SizeRunLength run_length_of(md::Preset preset) {
   std::vector<double> const all{5, 10, 25, 50, 100, 250, 500, 1000, 2500, 5000, 10000, 25000};
   switch (preset) {
   case md::Preset::quick:
@@ -39,15 +39,15 @@ sdpd::SimulationSettings shocked(sdpd::SimulationSettings settings) {
 class Study {
  public:
   Study(md::Preset preset, std::uint64_t seed, std::filesystem::path directory)
-      : effort_(effort_of(preset)), seed_(seed), directory_(std::move(directory)),
+      : run_length_(run_length_of(preset)), seed_(seed), directory_(std::move(directory)),
         identity_(fmt::format("preset {}, seed {}, {}, {}, {}, {}, {}", static_cast<int>(preset), seed,
-                              effort_.calibrate, effort_.settle, effort_.sample, effort_.settle_per_size,
-                              git_commit())) {
-    result_.sizes = effort_.sizes;
+                              run_length_.calibrate, run_length_.settle, run_length_.sample,
+                              run_length_.settle_per_size, git_commit())) {
+    result_.sizes = run_length_.sizes;
     auto const any = fluid("cubic", 5, seed);
     result_.P_eos = eos_state(any).P;
     result_.particles = std::size_t{any.lattice[0]} * any.lattice[1] * any.lattice[2];
-    std::size_t const cases = kernels.size() * effort_.sizes.size();
+    std::size_t const cases = kernels.size() * run_length_.sizes.size();
     result_.calibrations.resize(cases), result_.runs.resize(cases * treatments.size());
     result_.structures.resize(structure_kernels.size());
     result_.elsewhere.resize(2 * kernels.size() * 2);
@@ -61,7 +61,7 @@ class Study {
     for (std::size_t k = 0; k < structure_kernels.size(); ++k)
       first.push_back([this, k] {
         result_.structures[k] = part(fmt::format("structure-{}", k), [&] {
-          return find_structure(structure_kernels[k], effort_.sizes.back(), seed_, effort_);
+          return find_structure(structure_kernels[k], run_length_.sizes.back(), seed_, run_length_);
         });
       });
     for (std::size_t k = result_.runs.size(); k-- > 0;)
@@ -95,16 +95,17 @@ class Study {
     run_jobs(counted, threads);
   }
 
-  std::size_t sizes() const { return effort_.sizes.size(); }
+  std::size_t sizes() const { return run_length_.sizes.size(); }
   sdpd::SimulationSettings settings_of_case(std::size_t c) const {
-    return fluid(kernels[c / sizes()], effort_.sizes[c % sizes()], seed_);
+    return fluid(kernels[c / sizes()], run_length_.sizes[c % sizes()], seed_);
   }
 
   void calibrate(std::size_t c) {
     auto const settings = settings_of_case(c);
     result_.calibrations[c] = part(fmt::format("calibration-{}", c), [&] {
-      auto const found = sdpd::calibrate_density(settings, sdpd::ScaleCondition::pressure, effort_.calibrate,
-                                                 [] { return !interrupt_requested(); });
+      auto const found =
+          sdpd::calibrate_density(settings, sdpd::ScaleCondition::pressure, run_length_.calibrate,
+                                  [] { return !interrupt_requested(); });
       return SizeCalibration{settings.as<sdpd::Sdpd>().kernel, settings.K(), found};
     });
   }
@@ -118,7 +119,8 @@ class Study {
         treatment == Treatment::free ? sdpd::CentreOfMass::free : sdpd::CentreOfMass::bulk;
     if (treatment != Treatment::plain)
       settings.as<sdpd::Sdpd>().density_correction = result_.calibrations[c].found.constants;
-    result_.runs[k] = part(fmt::format("run-{}", k), [&] { return run_fluid(settings, treatment, effort_); });
+    result_.runs[k] =
+        part(fmt::format("run-{}", k), [&] { return run_fluid(settings, treatment, run_length_); });
   }
 
   /// The constants of the second largest size, and of a middle one, in a shocked state and at other sizes.
@@ -134,7 +136,7 @@ class Study {
         result_.elsewhere[place] = {fmt::format("{}: constants of K = {:g} at K = {:g}{}", calibration.kernel,
                                                 calibration.K, K, in_shock ? ", 1541 kg/m^3, 1340 K" : ""),
                                     part(fmt::format("elsewhere-{}", place),
-                                         [&] { return run_fluid(settings, Treatment::free, effort_); })};
+                                         [&] { return run_fluid(settings, Treatment::free, run_length_); })};
       });
     };
     double const middle_K = result_.sizes[sizes() / 2], large_K = result_.sizes[sizes() - 2];
@@ -145,7 +147,7 @@ class Study {
     add(place + 3, middle, result_.sizes.back(), false);
   }
 
-  SizeEffort effort_;
+  SizeRunLength run_length_;
   std::uint64_t seed_;
   std::filesystem::path directory_;
   std::string identity_; ///< of all parts

@@ -115,7 +115,7 @@ TEST(EntropyForm, HasTheMeasureOfTheEnergyFormAtShortSteps) {
 
 TEST(EntropyForm, ServesSdpdAlone) {
   auto const system = make_system(ideal_gas(10, 0.01));
-  system->law = DpdLaw<Across::none>{PowerFriction(1, 0, 1, 2), 0.1};
+  system->law = DpdLaw<Transverse::none>{PowerFriction(1, 0, 1, 2), 0.1};
   EXPECT_THROW(fluctuate_entropies(*system, 0.01), InputError);
 }
 

@@ -10,7 +10,7 @@ PowerFriction const shape(4.5, 2, 1, 2);
 // Eq. (S13)), in numbers and in lanes.
 TEST(DpdeLaw, FulfilsItsFluctuationDissipationRelation) {
   double const k_B = 0.7, a = 0.37;
-  DpdeLaw<Across::none> const law{shape, k_B};
+  DpdeLaw<Transverse::none> const law{shape, k_B};
   std::vector<double> sigma2;
   for (double const T_i : {0.3, 1.0, 2.1})
     for (double const T_j : {0.6, 1.7}) {
@@ -30,7 +30,7 @@ TEST(DpdeLaw, FulfilsItsFluctuationDissipationRelation) {
 
 TEST(DpdLaw, HasTheSetTemperature) {
   double const k_B = 0.7, a = 0.37;
-  auto const bath = DpdLaw<Across::own>{shape, k_B}.bath<double>();
+  auto const bath = DpdLaw<Transverse::own>{shape, k_B}.bath<double>();
   EXPECT_NEAR(bath.thermal * bath.gamma_over_a * a, 2 * k_B * a, 1e-14);
   for (double const dt : {1e-3, 0.5, 20.0}) {
     auto const step = bath.step(a, dt);

@@ -214,7 +214,7 @@ TEST(PairFluid, TurnsWithItsBox) {
   thermodynamics_from_energy(other);
   for (auto* each : {&system, &other}) {
     find_pair_forces(*each);
-    std::get<DpdeLaw<Across::own>>(each->law).boltzmann = 0;
+    std::get<DpdeLaw<Transverse::own>>(each->law).boltzmann = 0;
     fluctuate_ser(*each, 0.01);
   }
   EXPECT_NEAR(other.virial, system.virial, 1e-10 * system.virial);

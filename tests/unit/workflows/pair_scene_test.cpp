@@ -114,7 +114,7 @@ TEST(PairScene, InSiIsTheSameFluid) {
   EXPECT_NEAR(force(physical) / force(plain), 1, 1e-6);
   auto friction = [](sdpd::SimulationSettings const& s) {
     auto const law = s.as<sdpd::Dpde>().parts(s).law;
-    auto const& shape = std::get<sdpd::DpdeLaw<sdpd::Across::none>>(law).shape;
+    auto const& shape = std::get<sdpd::DpdeLaw<sdpd::Transverse::none>>(law).shape;
     return std::get<sdpd::PowerFriction>(shape)(0.5).par;
   };
   EXPECT_NEAR(friction(physical) / friction(plain), 1, 1e-3);

@@ -136,6 +136,17 @@ TEST(Scene, CalibratesForAQuarterOfTheRun) {
             std::string::npos);
 }
 
+TEST(Scene, ReadsWhatTextsWereCalledBefore) {
+  auto const old = parse_scene(lj_scene("0.05\nconservative = \"two-stage\""), "lj.toml");
+  EXPECT_EQ(old.scheme.conservative, "mclachlan");
+  ASSERT_EQ(old.notes.size(), 1u);
+  for (auto const& part : {"lj.toml:", "scheme.conservative = \"two-stage\"", "\"mclachlan\" now"})
+    EXPECT_NE(old.notes[0].find(part), std::string::npos) << old.notes[0];
+  auto const now = parse_scene(resolved_toml(old), "r.toml");
+  EXPECT_EQ(now.scheme.conservative, "mclachlan");
+  EXPECT_TRUE(now.notes.empty());
+}
+
 TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
   struct Case {
     std::string what, by;
@@ -168,7 +179,9 @@ TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nzeta = \"-1 mPa*s\"", {"bad.toml:12", "transport.zeta", ">= 0"}},
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = 0.1", {"bad.toml:12", "transport.kappa = 0.1", "W/(m*K)"}},
       {"\"2 mPa*s\"", "\"2 mPa*s\"\nkappa = \"-1 W/(m*K)\"", {"bad.toml:12", "transport.kappa", ">= 0"}},
-      {"\"1.5 fs\"", "0.1\nname = \"ems\"\nnoise = \"off\"", {"bad.toml:14", "scheme.name", "without noise", "Metropolis"}},
+      {"\"1.5 fs\"",
+       "0.1\nname = \"ems\"\nnoise = \"off\"",
+       {"bad.toml:14", "scheme.name", "without noise", "Metropolis"}},
       {"steps = 100", "steps = 100\nbath_rate = 0", {"bad.toml:16", "run.bath_rate = 0", "> 0"}},
       {"1.5 fs", "-1.5 fs", {"bad.toml:13", "scheme.dt", "> 0"}},
       {"\"1.5 fs\"", "0", {"bad.toml:13", "scheme.dt = 0", "> 0"}},

@@ -148,7 +148,7 @@ TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
   int ran = 0;
   for (auto const& [more, message, scene] :
        {Case{{"--schemes", "sss"}, "ems"}, Case{{"--dt", "-1"}, "--dt"},
-        Case{{"--drift", "1e-6"}, "per unit of time"}, Case{{"--integrators", "euler"}, "two-stage"},
+        Case{{"--drift", "1e-6"}, "per unit of time"}, Case{{"--integrators", "euler"}, "mclachlan"},
         Case{{"--bias", "2"}, "0.5%"}, Case{{"--drift", "1e-6"}, "keeps no energy", "dpd-fluid"},
         Case{{"--schemes", "ems"}, "no internal energies", "dpd-fluid"},
         Case{{"--K", "10"}, "--K", "dpde-fluid"}}) {

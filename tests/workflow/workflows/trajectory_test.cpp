@@ -126,7 +126,7 @@ std::string mapping(std::string const& units, double mass, double l) {
 TEST(Trajectory, AnH5mdFileIsTakenAsItSays) {
   ScratchDirectory const scratch;
   write_text_file(scratch / "lj.toml", mapping("lj", 1, 1));
-  // The bonds are 1.1 long: 50 * 0.01 each. Across the border the dimers' atoms are 0.95 apart.
+  // The bonds are 1.1 long: 50 * 0.01 each. Transverse the border the dimers' atoms are 0.95 apart.
   double const bonds = 2 * 0.5, s6 = std::pow(0.95, -6), pairs = 2 * (4 * (s6 * s6 - s6) + 1);
   struct Taken {
     Written file;

@@ -25,6 +25,9 @@ struct Line {
   }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
+  Line formerly(std::string old, std::string now) && {
+    return key.former.emplace_back(std::move(old), std::move(now)), std::move(*this);
+  }
   Line in(NumberRange range) && { return key.range = range, std::move(*this); }
   Line quantity(Dimension dimension, NumberRange range) && {
     key.dimension = dimension;

@@ -56,7 +56,8 @@ std::vector<SceneKey> scheme_keys() {
           .choices({"lie-trotter", "strang"}),
       scheme("conservative", &Scene::Scheme::conservative,
              "integrator of the conservative forces: " + conservative_summaries())
-          .choices(sdpd::conservative_names()),
+          .choices(sdpd::conservative_names())
+          .formerly("two-stage", "mclachlan"),
       scheme("fluctuate_every", &Scene::Scheme::fluctuate_every,
              "conservative steps for one of fluctuation and dissipation (multiple time steps)")
           .in({.min = 1, .max = 1e6}),
