@@ -80,7 +80,7 @@ std::string drawing_text(Series const& series, std::string const& data, std::siz
 }
 
 LegendBox legend_of(Plot const& plot) {
-  constexpr double sample_and_gaps = 74, letter = 0.52 * plot_font_size;
+  constexpr double sample_and_gaps = 74, letter = 0.6 * plot_font_size;
   LegendBox box;
   std::size_t longest = 0;
   for (auto const& panel : plot.panels)

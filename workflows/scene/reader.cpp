@@ -124,9 +124,11 @@ struct SlotReader {
   }
 
   double number() const {
-    if (!node.is_number() || !key.range.contains(*node.value<double>()))
+    auto const whole = node.value_exact<std::int64_t>(); // value<double>() is empty for those above 2^53
+    auto const value = whole ? static_cast<double>(*whole) : node.value_exact<double>();
+    if (!value || !key.range.contains(*value))
       refuse();
-    return *node.value<double>();
+    return *value;
   }
 
   double quantity() const {

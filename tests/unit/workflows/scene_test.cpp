@@ -147,6 +147,11 @@ TEST(Scene, ReadsWhatTextsWereCalledBefore) {
   EXPECT_TRUE(now.notes.empty());
 }
 
+TEST(Scene, ReadsWholeNumbersThatNoDoubleHolds) {
+  auto const scene = parse_scene(lj_scene("0.05"), "lj.toml", {"fluid.T=9223372036854775807"});
+  EXPECT_EQ(scene.fluid.T, 0x1p63);
+}
+
 TEST(Scene, BadInputNamesFileLineKeyValueAndWhatIsAllowed) {
   struct Case {
     std::string what, by;
