@@ -4,6 +4,7 @@
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
 #include "workflows/sdpd/measured_report.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/text_file.hpp"
@@ -193,12 +194,12 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
   auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
   if (shock)
     report.sections.push_back(shock_section(*shock, run));
-  if (!run.scene.box.piston) // else there is no equilibrium
+  if (!is_driven(run.scene))
     report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));
   if (auto measured = measured_section(run_file, run, set_state(run)))
     report.sections.push_back(std::move(*measured));
-  if (auto const profiles = profile_plots(run_file, run); !profiles.empty() && !run.scene.box.piston)
+  if (auto const profiles = profile_plots(run_file, run); !profiles.empty() && !is_driven(run.scene))
     report.sections.push_back(
         {"Profiles",
          {drawn(profiles,

@@ -16,6 +16,11 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 
 } // namespace
 
+bool is_driven(Scene const& scene) {
+  auto const& box = scene.box;
+  return box.piston || box.x == "open" || box.y == "open" || box.z == "open";
+}
+
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
   std::vector<sdpd::Finding> doubts;
   for (auto const& note : scene.notes)
@@ -38,7 +43,7 @@ std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, 
   auto const& settings = result.settings;
   bool const keeps_energy = !simulation.has_thermostat();
   auto findings = doubts_about(result.scene, settings);
-  if (result.scene.box.piston) // no equilibrium
+  if (is_driven(result.scene))
     return findings;
   auto const found =
       sdpd::examine(samples, result.equilibrium,

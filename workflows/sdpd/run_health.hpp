@@ -5,6 +5,10 @@
 
 namespace mesobridge::workflows {
 
+/// Whether something keeps the fluid from equilibrium: a piston, or vacuum beyond an open face. It has then
+/// no one temperature that could be the scene's.
+bool is_driven(Scene const& scene);
+
 /// What the samples of a finished run say against it (see sdpd/observe/health.hpp), and its scene: particles
 /// that hardly meet another one.
 std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, RunResult const& result,
