@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
 #include "sdpd/simulation.hpp"
+#include "sdpd_fixtures.hpp"
 
 namespace mesobridge::sdpd {
 
@@ -37,6 +38,15 @@ inline SimulationSettings dpde_ideal(double C, double dt, double across) {
   auto s = dpde_fluid(C, dt, across);
   s.as<Dpde>().potential = NoPotential{};
   return s;
+}
+
+struct NamedFluid {
+  char const* name;
+  SimulationSettings settings;
+};
+
+inline std::vector<NamedFluid> one_fluid_of_each_method() {
+  return {{"sdpd", argon(100, 0.03)}, {"dpde", dpde_fluid(60)}, {"dpd", dpd_fluid()}};
 }
 
 } // namespace mesobridge::sdpd

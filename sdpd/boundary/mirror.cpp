@@ -4,28 +4,21 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// Calls f(particle, layer) for the particles of each wall's layer, on all threads.
-template <class F>
-void for_each_at_a_wall(System const& system, Wall const& wall, F const& f) {
-  WallLayer const layer(system, wall);
-  for_each_index(layer.size(), system.threads, [&](std::size_t k) { f(layer[k], k, layer); });
-}
-
 /// Forces by images, strength(i, j, r) * r each, whose sum along the normal is the wall's. Half of their
 /// virial is the fluid's, the other half the images'.
 template <class Strength>
 void add_forces(System& system, Strength const& strength) {
   auto& particles = system.particles;
   for (auto& wall : system.walls) {
-    WallLayer const layer(system, wall);
-    std::vector<double> normal(layer.size()), virial(layer.size());
-    for_each_index(layer.size(), system.threads, [&](std::size_t k) {
-      Index const i = layer[k];
+    auto const& [near, images] = wall.layer;
+    std::vector<double> normal(near.size()), virial(near.size());
+    for_each_index(near.size(), system.threads, [&](std::size_t k) {
+      Index const i = near[k];
       Vec3 sum;
-      layer.for_each_image(i, [&](Index j, Vec3 const& r) {
+      for (auto const& [j, r] : images[k]) {
         double const s = strength(i, j, r);
         sum += s * r, virial[k] += 0.5 * s * norm2(r);
-      });
+      }
       particles.f[i] += sum;
       normal[k] = component(sum, wall.axis);
     });
@@ -39,15 +32,16 @@ void add_forces(System& system, Strength const& strength) {
 void add_wall_densities(System& system) {
   if (system.walls.empty())
     return;
+  find_wall_images(system);
   auto& particles = system.particles;
   std::visit(
       [&](auto const& kernel) {
         for (auto const& wall : system.walls)
-          for_each_at_a_wall(system, wall, [&](Index i, std::size_t, WallLayer const& layer) {
+          for_each_index(wall.layer.particles.size(), system.threads, [&](std::size_t k) {
             double rho = 0;
-            layer.for_each_image(
-                i, [&](Index j, Vec3 const& r) { rho += particles.mass_of(j) * kernel.W(norm(r)); });
-            particles.rho[i] += rho;
+            for (auto const& [j, r] : wall.layer.images[k])
+              rho += particles.mass_of(j) * kernel.W(norm(r));
+            particles.rho[wall.layer.particles[k]] += rho;
           });
       },
       system.kernel);
@@ -83,6 +77,7 @@ std::string too_near(System const& system, Index j, double distance, double inne
 void add_wall_pair_forces(System& system) {
   if (system.walls.empty())
     return;
+  find_wall_images(system);
   Failure failure;
   std::vector<double> energy(system.size());
   std::visit(
@@ -102,6 +97,20 @@ void add_wall_pair_forces(System& system) {
       system.potential);
   system.stop_at(failure);
   system.potential_energy += sum_over_particles(system, [&](std::size_t i) { return energy[i]; });
+}
+
+void add_wall_virials(System const& system, std::vector<double>& virial) {
+  std::visit(
+      [&](auto const& potential) {
+        if constexpr (requires { potential(1.0, 1.0); })
+          for (auto const& wall : system.walls)
+            for (std::size_t k = 0; k < wall.layer.particles.size(); ++k)
+              for (auto const& [j, r] : wall.layer.images[k])
+                if (double const distance = norm(r); distance < potential.cutoff())
+                  virial[wall.layer.particles[k]] +=
+                      0.5 * potential(distance, 1 / distance).strength * norm2(r);
+      },
+      system.potential);
 }
 
 namespace {

@@ -1,59 +1,82 @@
 #include "sdpd/boundary/mirror.hpp"
-#include <numeric>
 
 namespace mesobridge::sdpd {
+namespace {
 
-WallLayer::WallLayer(System const& system, Wall const& wall)
-    : system_(system), wall_(wall),
-      range_(system.neighbours.range()), across_{(wall.axis + 1) % 3, (wall.axis + 2) % 3} {
-  auto const& q = system.particles.q;
-  for (unsigned k = 0; k < 2; ++k)
-    cells_[k] = std::max(1, static_cast<int>(component(system.box.edge, across_[k]) / range_));
+/// One of the two edges of the box across a wall, in cells that are at least as long as the range.
+struct Edge {
+  int axis;
+  double length;
+  bool periodic;
+  int cells;
+
+  Edge(Box const& box, int along, double range)
+      : axis(along), length(component(box.edge, along)), periodic(box.periodic[static_cast<unsigned>(along)]),
+        cells(std::max(1, static_cast<int>(length / range))) {}
+
+  int cell_of(double at) const { return static_cast<int>(std::clamp(at / length * cells, 0.0, cells - 1.0)); }
+  double nearest(double way) const { return periodic ? way - length * std::nearbyint(way / length) : way; }
+
+  /// Calls f for the cell and those beside it, each once.
+  template <class F>
+  void for_each_around(int cell, F const& f) const {
+    bool const all = periodic && cells <= 3;
+    int const first = all ? 0 : periodic ? cell - 1 : std::max(0, cell - 1);
+    int const last = all ? cells - 1 : periodic ? cell + 1 : std::min(cells - 1, cell + 1);
+    for (int at = first; at <= last; ++at)
+      f((at + cells) % cells);
+  }
+};
+
+/// Where a particle of the layer is: across the wall, and how far from it.
+struct Place {
+  double a, b, distance;
+  int cell_a, cell_b;
+};
+
+void find_images(System const& system, Wall& wall) {
+  double const range = system.neighbours.range();
+  auto& [particles, images] = wall.layer;
+  Edge const a(system.box, (wall.axis + 1) % 3, range), b(system.box, (wall.axis + 2) % 3, range);
+  particles.clear();
+  std::vector<Place> places;
+  std::vector<std::vector<Index>> in_cell(static_cast<std::size_t>(a.cells * b.cells));
+  auto const cell = [&](int x, int y) { return static_cast<std::size_t>(y * a.cells + x); };
   for (Index i = 0; i < system.size(); ++i)
-    if (wall.distance(q[i], system.wall_time) < range_)
-      members_.push_back(i);
-  auto const index = [&](Index i) {
-    auto const [x, y] = cell_of(q[i]);
-    return static_cast<std::size_t>(y * cells_[0] + x);
-  };
-  cell_begin_.assign(static_cast<std::size_t>(cells_[0] * cells_[1]) + 1, 0);
-  for (Index const i : members_)
-    ++cell_begin_[index(i) + 1];
-  std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
-  by_cell_.resize(members_.size());
-  auto next = cell_begin_;
-  for (Index const i : members_)
-    by_cell_[next[index(i)]++] = i;
+    if (double const distance = wall.distance(system.particles.q[i], system.wall_time); distance < range) {
+      Vec3 const q = system.box.wrap(system.particles.q[i]);
+      double const x = component(q, a.axis), y = component(q, b.axis);
+      in_cell[cell(a.cell_of(x), b.cell_of(y))].push_back(static_cast<Index>(particles.size()));
+      places.push_back({x, y, distance, a.cell_of(x), b.cell_of(y)});
+      particles.push_back(i);
+    }
+  images.resize(std::max(images.size(), particles.size()));
+  for_each_index(particles.size(), system.threads, [&](std::size_t k) {
+    auto const& here = places[k];
+    auto& seen = images[k];
+    seen.clear();
+    b.for_each_around(here.cell_b, [&](int y) {
+      a.for_each_around(here.cell_a, [&](int x) {
+        for (Index const other : in_cell[cell(x, y)]) {
+          auto const& there = places[other];
+          double const both = here.distance + there.distance;
+          Vec3 r;
+          component(r, wall.axis) = wall.upper ? -both : both;
+          component(r, a.axis) = a.nearest(here.a - there.a),
+                       component(r, b.axis) = b.nearest(here.b - there.b);
+          if (norm2(r) < range * range)
+            seen.push_back({particles[other], r});
+        }
+      });
+    });
+  });
 }
 
-Vec3 WallLayer::from_image(Vec3 const& q, Vec3 const& of) const {
-  Vec3 r = system_.box.minimum_image(q - of);
-  double const both = wall_.distance(q, system_.wall_time) + wall_.distance(of, system_.wall_time);
-  component(r, wall_.axis) = wall_.upper ? -both : both;
-  return r;
-}
+} // namespace
 
-std::array<int, 2> WallLayer::cell_of(Vec3 const& q) const {
-  Vec3 const inside = system_.box.wrap(q);
-  std::array<int, 2> cell{};
-  for (unsigned k = 0; k < 2; ++k) {
-    double const at = component(inside, across_[k]) / component(system_.box.edge, across_[k]) * cells_[k];
-    cell[k] = static_cast<int>(std::clamp(at, 0.0, cells_[k] - 1.0));
-  }
-  return cell;
-}
-
-std::vector<int> WallLayer::around(int cell, unsigned edge) const {
-  int const n = cells_[edge];
-  std::vector<int> found;
-  for (int const step : {-1, 0, 1}) {
-    int at = cell + step;
-    if (system_.box.periodic[static_cast<unsigned>(across_[edge])])
-      at = (at + n) % n;
-    if (at >= 0 && at < n && std::ranges::find(found, at) == found.end())
-      found.push_back(at);
-  }
-  return found;
+void find_wall_images(System& system) {
+  for (auto& wall : system.walls)
+    find_images(system, wall);
 }
 
 } // namespace mesobridge::sdpd

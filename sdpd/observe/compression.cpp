@@ -28,7 +28,7 @@ Measurement compression_response() {
   return {
       .name = "compression_response",
       .meaning = "d<rho>/d ln(1/V) at an affine compression: 1 where densities follow the mass per volume",
-      .exists = with_densities,
+      .exists = [](Features const& has) { return with_densities(has) && without_walls(has); },
       .values = [](System const& system) -> std::vector<double> { return {compression_response(system)}; },
       .pair_passes = 1};
 }

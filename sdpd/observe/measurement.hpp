@@ -29,6 +29,10 @@ inline bool with_energies(Features const& has) {
 inline bool with_densities(Features const& has) {
   return has.densities;
 }
+/// What sums over pairs of particles alone, not over the images behind walls.
+inline bool without_walls(Features const& has) {
+  return !has.walls;
+}
 inline bool with_walls(Features const& has) {
   return has.walls;
 }

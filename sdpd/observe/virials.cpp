@@ -1,4 +1,5 @@
 #include "sdpd/observe/virials.hpp"
+#include "sdpd/boundary/mirror.hpp"
 #include "sdpd/system/pair_loop.hpp"
 
 namespace mesobridge::sdpd {
@@ -30,6 +31,7 @@ std::vector<double> virials(System const& system) {
     return {};
   std::vector<double> of_places(system.size()), virial(system.size());
   std::visit([&](auto const& potential) { add_virials(system, potential, of_places); }, system.potential);
+  add_wall_virials(system, of_places);
   for (std::size_t i = 0; i < virial.size(); ++i)
     virial[system.particles.id[i]] = of_places[i];
   return virial;

@@ -1,6 +1,8 @@
 #pragma once
 #include "md/box.hpp"
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace mesobridge::sdpd {
 
@@ -20,6 +22,20 @@ struct WallMotion {
   }
 };
 
+/// The image of particle `of` behind a wall, as another particle sees it.
+struct WallImage {
+  std::uint32_t of;
+  Vec3 r; ///< from the image to the particle that sees it
+};
+
+/// The particles that see images behind a wall, and those within their range, for the positions at the last
+/// sum of the densities (with a pair potential: of the forces). Kept so that no step allocates: `images` may
+/// be longer.
+struct WallLayer {
+  std::vector<std::uint32_t> particles;
+  std::vector<std::vector<WallImage>> images; ///< of each of them, its own among them
+};
+
 /// A plane that mirrors the fluid (sdpd/README.md, Eq. (S40)): particles meet the images of themselves and of
 /// each other, at the same density, pressure and temperature. Without friction, and without heat: a wall that
 /// slips, and a piston. In reduced units.
@@ -31,6 +47,7 @@ struct Wall {
   double force = 0;   ///< that it exerts along its normal, at the last evaluation of the forces
   double impulse = 0; ///< that it has given to the fluid along its normal
   double work = 0;    ///< that it has done on the fluid
+  WallLayer layer = {};
 
   double position(double time) const { return start + motion.way_at(time); }
   /// How far a place is from it, > 0 inside the fluid.

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_text.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/sdpd/run_health.hpp"
 #include <fmt/format.h>
 
 namespace mesobridge::workflows {
@@ -17,6 +18,28 @@ std::string set(double value, std::string const& unit_name) {
   return fmt::format("set: {}{}", number_text(value, 6), unit_name.empty() ? "" : " " + unit_name);
 }
 
+/// What a piston's run shows of its shock, by its summary; nothing where there is none.
+std::string shock_text(Json const& summary, OutputUnits const& units, bool si) {
+  struct Shown {
+    std::string name, key, exact, unit;
+  };
+  std::string text;
+  for (auto const& [name, key, exact, unit] :
+       {Shown{"v_S", "shock_v_S" + units.velocity_key, "v_S" + units.velocity_key, "m/s"},
+        Shown{"rho", "plateau_rho" + units.density_key, "rho" + units.density_key, "kg/m^3"},
+        Shown{"P", "plateau_P" + units.pressure_key, "P" + units.pressure_key, "Pa"},
+        Shown{"T", "plateau_T" + units.temperature_key, "T" + units.temperature_key, "K"}})
+    if (summary.contains(key)) {
+      cg::Estimate const found{summary[key].get<double>(), summary[key + "_se"].get<double>(), 1};
+      std::string const remark =
+          summary.contains("rankine_hugoniot")
+              ? "Rankine-Hugoniot: " + number_text(summary["rankine_hugoniot"][exact].get<double>(), 6)
+              : "";
+      text += line(name, found, 1, si ? unit : "", remark);
+    }
+  return text.empty() ? "" : "the shock, and the state behind it:\n" + text;
+}
+
 } // namespace
 
 std::string run_text(RunResult const& result) {
@@ -24,20 +47,22 @@ std::string run_text(RunResult const& result) {
   bool const si = scene.units == UnitSystem::SI;
   OutputUnits const units(result.settings.units(), scene.units);
   auto const features = result.settings.features();
+  bool const driven = is_driven(scene);
   std::string const T_unit = si ? "K" : "", rho_unit = si ? "kg/m^3" : "";
-  std::string text = line("T_kin", e.T_kin, units.temperature, T_unit, set(scene.fluid.T, T_unit));
+  std::string text =
+      line("T_kin", e.T_kin, units.temperature, T_unit, driven ? "" : set(scene.fluid.T, T_unit));
   if (features.energies)
     text += line("T_int", e.T_int, units.temperature, T_unit);
   text += line("P", e.P, units.pressure, si ? "Pa" : "");
   if (features.densities)
-    text += line("rho", e.rho.mean, units.density, rho_unit, set(scene.fluid.rho, rho_unit));
+    text += line("rho", e.rho.mean, units.density, rho_unit, driven ? "" : set(scene.fluid.rho, rho_unit));
   if (features.energies) {
     text += line("e", e.eps.mean, units.specific_energy, si ? "J/kg" : "");
     constexpr double ps = 1e-12;
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",
                  "of the total energy, relative");
   }
-  return text;
+  return text + shock_text(result.summary, units, si);
 }
 
 } // namespace mesobridge::workflows

@@ -1,8 +1,8 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
-#include "fitting/shock_relations.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/sdpd/method_of.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <numbers>
@@ -75,17 +75,19 @@ std::array<std::uint32_t, 3> particles_along_edges(Scene const& scene) {
           static_cast<std::uint32_t>(given.at(2))};
 }
 
-/// The piston's ramp where the scene says nothing: 8 l/v_S, by the equation of state (sdpd/README.md, Walls).
+/// The piston's ramp where the scene says nothing: 8 l/v_S, by the equation of state (sdpd/README.md, Eq.
+/// (S43)).
 double usual_ramp(sdpd::SimulationSettings const& settings, double velocity) {
   constexpr double spacings = 8;
-  auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
-  if (!fluid || velocity <= 0)
+  if (velocity <= 0)
     return 0;
-  auto const ahead = std::visit(
-      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
-      fluid->eos);
-  double const v_S = fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(velocity).v_S;
-  return spacings * settings.spacing() * settings.units().length() / v_S;
+  try {
+    auto const shock = piston_shock(settings, velocity);
+    return shock ? spacings * settings.spacing() * settings.units().length() / shock->v_S : 0;
+  } catch (PhysicsError const& error) {
+    throw InputError(
+        fmt::format("box.piston = {:g}: {}; box.ramp has no default then: give it", velocity, error.what()));
+  }
 }
 
 sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& settings) {

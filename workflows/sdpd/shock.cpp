@@ -1,5 +1,6 @@
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/summary.hpp"
 #include <algorithm>
@@ -40,14 +41,13 @@ std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
   return frames;
 }
 
+/// Nothing where the model has no such shock, too: the run stands for itself.
 std::optional<fitting::Shock> rankine_hugoniot(sdpd::SimulationSettings const& settings, double v_P) {
-  auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
-  if (!fluid)
+  try {
+    return piston_shock(settings, v_P);
+  } catch (PhysicsError const&) {
     return std::nullopt;
-  auto const ahead = std::visit(
-      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
-      fluid->eos);
-  return fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(v_P);
+  }
 }
 
 /// Means over the frames at equal distances from the front, with the spread of the frames as their error.

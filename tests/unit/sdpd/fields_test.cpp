@@ -1,6 +1,5 @@
 #include "pair_fluid_fixtures.hpp"
 #include "sdpd/neighbours/neighbours.hpp"
-#include "sdpd_fixtures.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
@@ -10,12 +9,7 @@
 namespace mesobridge::sdpd {
 namespace {
 
-struct Case {
-  char const* name;
-  SimulationSettings settings;
-};
-
-std::vector<Case> const cases{{"sdpd", argon(100, 0.03)}, {"dpde", dpde_fluid(60)}, {"dpd", dpd_fluid()}};
+auto const cases = one_fluid_of_each_method();
 
 TEST(Fields, HaveNamesOfTheirOwn) {
   std::set<std::string_view> names;

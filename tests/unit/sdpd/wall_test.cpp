@@ -2,6 +2,7 @@
 #include "pair_fluid_fixtures.hpp"
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/make_system.hpp"
+#include "sdpd/observe/virials.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/simulation.hpp"
 #include "sdpd/system/system.hpp"
@@ -9,6 +10,7 @@
 #include "sdpd_fixtures.hpp"
 #include <cstring>
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -94,7 +96,7 @@ TEST_P(EveryWalledFluid, BalancesMomentumToRoundOffAndEnergyByTheWork) {
     return;
   EXPECT_GT(work / before.kinetic, 0.05);
   EXPECT_EQ(after.wall_work, work);
-  EXPECT_LT(std::abs(after.energy() - before.energy()), 0.02 * work); // Verlet's error
+  EXPECT_LT(std::abs(after.energy() - before.energy()), 4e-3 * work); // Verlet's error
 }
 
 TEST_P(EveryWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
@@ -143,7 +145,10 @@ TEST_P(EveryWalledFluid, HasThePressureThatItsWallsFeel) {
   double const area = simulation.box().volume() / component(simulation.box().edge, walls[0].axis);
   double const felt = (walls[0].impulse - walls[1].impulse - began) / (2 * area * 5 * samples * settings.dt);
   EXPECT_LT(mean.se, 0.02 * mean.mean);
-  EXPECT_NEAR(felt / mean.mean, 1, 0.04 + 4 * mean.se / mean.mean);
+  // Layers at the walls leave the pressure along them lower: 1.4 % of the mean in a box of soft particles as
+  // short as this, 0.3 % and less in SDPD.
+  double const tolerance = settings.features().densities ? 0.005 : 0.02;
+  EXPECT_NEAR(felt / mean.mean, 1, tolerance + 4 * mean.se / mean.mean);
 }
 
 // The images are what a fluid would have that is its own mirror image: twice the box, periodic, without
@@ -184,6 +189,15 @@ TEST_P(EveryWalledFluid, IsHalfOfASymmetricOne) {
       }
   EXPECT_EQ(compared, 512);
   EXPECT_NEAR(whole->potential_energy, 2 * half->potential_energy, 1e-9 * std::abs(whole->potential_energy));
+}
+
+TEST_P(EveryWalledFluid, HasVirialsOfItsParticlesThatMakeThatOfTheWhole) {
+  auto const system = make_system(GetParam().settings);
+  auto const of_each = virials(*system);
+  EXPECT_EQ(of_each.empty(), system->has_densities());
+  if (!of_each.empty()) {
+    EXPECT_NEAR(std::accumulate(of_each.begin(), of_each.end(), 0.0) / system->virial, 1, 1e-12);
+  }
 }
 
 TEST(Walls, AreHeldAndLetGo) {
