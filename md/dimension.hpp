@@ -8,6 +8,7 @@ enum class Dimension {
   mass,
   length,
   time,
+  rate, ///< per time
   temperature,
   density,
   velocity,

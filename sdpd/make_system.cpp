@@ -1,6 +1,7 @@
 #include "sdpd/make_system.hpp"
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/method/settings.hpp"
+#include "sdpd/start/place.hpp"
 #include "sdpd/state/random.hpp"
 #include <algorithm>
 
@@ -32,27 +33,6 @@ void put_before_walls(System& system) {
         component(q, wall.axis) += wall.upper ? -2 * depth : 2 * depth;
 }
 
-/// Maxwell velocities at T = 1 whose sum is zero and whose kinetic energy is exactly (3/2)(N-1) k_B T.
-void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
-  NoiseSource const source(seed, Stream::initial_velocities, 0);
-  Vec3 sum{};
-  double mass = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    auto const G = gaussians_reference(source, particles.id[i], 0);
-    double const m = particles.mass_of(i);
-    sum += particles.p[i] = std::sqrt(m) * Vec3{G[0], G[1], G[2]}, mass += m;
-  }
-  double const count = static_cast<double>(particles.size());
-  double square = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    double const m = particles.mass_of(i);
-    square += norm2(particles.p[i] -= m * (sum / mass)) / m;
-  }
-  double const scale = std::sqrt(3 * (count - 1) * boltzmann / square);
-  for (auto& p : particles.p)
-    p *= scale;
-}
-
 System empty_system(SimulationSettings const& s) {
   auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
@@ -60,6 +40,7 @@ System empty_system(SimulationSettings const& s) {
           .thermodynamics = std::move(parts.thermodynamics),
           .kernel = parts.kernel,
           .self_density = parts.self_density,
+          .density_sum = parts.density_sum,
           .potential = std::move(parts.potential),
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
@@ -70,18 +51,48 @@ System empty_system(SimulationSettings const& s) {
           .threads = s.threads};
 }
 
+/// One fluid at rest on a lattice; of several species, which are where the seed draws them.
+void fill(System& system, SimulationSettings const& s) {
+  auto& particles = system.particles;
+  place_on_lattice(particles, s);
+  if (!system.species.empty())
+    system.species_of_id = draw_species(system.species, s.particle_count(), s.seed);
+  system.label_particles();
+  std::fill(particles.T.begin(), particles.T.end(), 1.0);
+  put_before_walls(system);
+  if (s.noise)
+    draw_momenta(particles, {}, system.boltzmann, s.seed);
+}
+
+std::vector<double> temperatures_of(Layout const& layout) {
+  std::vector<double> T;
+  for (auto const& region : layout.regions())
+    T.push_back(region.T);
+  return T;
+}
+
+/// The regions of a layout.
+void fill(System& system, SimulationSettings const& s, Layout const& layout) {
+  auto& particles = system.particles;
+  auto const regions = place(particles, layout, s.disorder, s.seed);
+  if (!system.species.empty())
+    for (auto const region : regions)
+      system.species_of_id.push_back(layout.regions()[region].species);
+  system.label_particles();
+  let_flow(particles, layout, regions);
+  put_before_walls(system);
+  if (s.noise)
+    draw_momenta(particles, {regions, temperatures_of(layout)}, system.boltzmann, s.seed);
+}
+
 std::unique_ptr<System> build(SimulationSettings const& s) {
   auto system = std::make_unique<System>(empty_system(s));
   system->dt = s.dt;
   system->particles.resize(s.particle_count(), s.features());
-  place_on_lattice(system->particles, s);
-  if (!system->species.empty())
-    system->species_of_id = draw_species(system->species, s.particle_count(), s.seed);
-  system->label_particles();
-  put_before_walls(*system);
-  if (s.noise)
-    draw_momenta(system->particles, system->boltzmann, s.seed);
-  std::fill(system->particles.T.begin(), system->particles.T.end(), 1.0);
+  if (s.layout)
+    fill(*system, s, *s.layout);
+  else
+    fill(*system, s);
   return system;
 }
 

@@ -1,4 +1,5 @@
 #include "sdpd/boundary/mirror.hpp"
+#include "sdpd/system/masses.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
 
 namespace mesobridge::sdpd {
@@ -40,7 +41,7 @@ void add_wall_densities(System& system) {
           for_each_index(wall.layer.particles.size(), system.threads, [&](std::size_t k) {
             double rho = 0;
             for (auto const& [j, r] : wall.layer.images[k])
-              rho += particles.mass_of(j) * kernel.W(norm(r));
+              rho += weight_of(system, j) * kernel.W(norm(r));
             particles.rho[wall.layer.particles[k]] += rho;
           });
       },
@@ -50,13 +51,12 @@ void add_wall_densities(System& system) {
 void add_wall_forces(System& system) {
   if (system.walls.empty())
     return;
-  auto const& particles = system.particles;
-  auto const push = [&](Index i) { return particles.P[i] / (particles.rho[i] * particles.rho[i]); };
   std::visit(
       [&](auto const& kernel) {
         add_forces(system, [&](Index i, Index j, Vec3 const& r) {
           double const distance = norm(r);
-          return particles.mass_of(i) * particles.mass_of(j) * (push(i) + push(j)) *
+          return weight_of(system, i) * weight_of(system, j) *
+                 (push_of_pressure(system, i) + push_of_pressure(system, j)) *
                  kernel.F(distance, 1 / distance);
         });
       },

@@ -61,10 +61,13 @@ void find_pairs_and_densities(System& system, Kernel const& kernel, Masses) {
 } // namespace
 
 void find_pairs_and_densities(System& system) {
-  with_masses(system, [&](auto masses) {
+  with_density_weights(system, [&](auto masses) {
     std::visit([&](auto const& kernel) { find_pairs_and_densities(system, kernel, masses); }, system.kernel);
   });
   add_wall_densities(system);
+  auto& particles = system.particles;
+  if (!particles.mass.empty() && system.density_sum == DensitySum::number)
+    for_each_index(system.size(), system.threads, [&](std::size_t i) { particles.rho[i] *= particles.mass[i]; });
 }
 
 } // namespace mesobridge::sdpd

@@ -7,8 +7,8 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// The force of pressure, f_ij = m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F(r_ij) r_ij with F = -W'/r, and its
-/// virial.
+/// The force of pressure, f_ij = m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F(r_ij) r_ij with F = -W'/r, or that of
+/// densities that count neighbours (sdpd/README.md, Eq. (S44)), and its virial.
 template <class Kernel, class Masses>
 struct PressureForce {
   Kernel const& kernel;
@@ -29,7 +29,7 @@ void find_forces(System& system, Kernel const& kernel, Masses) {
   auto& particles = system.particles;
   system.block_virial.resize(system.neighbours.grid().blocks().size());
   set_all(system, particles.f, Vec3{});
-  auto const push = [&](Index i) { return particles.P[i] / (particles.rho[i] * particles.rho[i]); };
+  auto const push = [&](Index i) { return push_of_pressure(system, i); };
   for_each_pair(
       system, Gather{push, 0.5 * system.neighbours.range()}, EqualAndOpposite{particles.f}, as_they_are,
       [&](std::size_t block) {
@@ -44,7 +44,7 @@ void find_forces(System& system, Kernel const& kernel, Masses) {
 } // namespace
 
 void find_forces(System& system) {
-  with_masses(system, [&](auto masses) {
+  with_density_weights(system, [&](auto masses) {
     std::visit([&](auto const& kernel) { find_forces(system, kernel, masses); }, system.kernel);
   });
   add_wall_forces(system);

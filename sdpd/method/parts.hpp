@@ -3,6 +3,7 @@
 #include "sdpd/friction/list.hpp"
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/potential/list.hpp"
+#include "sdpd/state/species.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 
 namespace mesobridge::sdpd {
@@ -12,6 +13,7 @@ struct MethodParts {
   std::unique_ptr<Thermodynamics const> thermodynamics; ///< none without internal energies
   AnyKernel kernel;                                     ///< of the densities, where there are any
   double self_density;                                  ///< what a particle adds to its own density
+  DensitySum density_sum = DensitySum::mass;
   AnyPotential potential;
   AnyPairLaw law; ///< friction and noise
   AnyConduction conduction;

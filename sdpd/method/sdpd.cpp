@@ -76,8 +76,11 @@ double Sdpd::range(SimulationSettings const& at) const {
 
 void Sdpd::check(SimulationSettings const& at) const {
   check_size(K, eos, centre_of_mass_of(*this, at), at);
-  for (auto const& of : species)
-    check_size(of.K, of.eos, centre_of_mass_of(*this, at), at);
+  for (auto const& of : species) {
+    auto here = at;
+    here.rho = of.rho > 0 ? of.rho : at.rho, here.T = of.T > 0 ? of.T : at.T;
+    check_size(of.K, of.eos, centre_of_mass_of(*this, at), here);
+  }
   require(supports.contains(h_factor), "kernel support h_factor", h_factor, supports.demand());
   auto const& [scale, self] = density_correction;
   require(positive.contains(scale), "density correction scale", scale, positive.demand());
@@ -96,6 +99,7 @@ MethodParts Sdpd::parts(SimulationSettings const& at) const {
   return {.thermodynamics = thermodynamics_of(*this, at),
           .kernel = W,
           .self_density = self_density(W, density_correction),
+          .density_sum = density_sum,
           .potential = NoPotential{},
           .law = SdpdLaw{friction_of(*this, reduced), k_B},
           .conduction = conducts() ? AnyConduction(SdpdConduction{kappa / reduced.conductivity(), k_B})

@@ -29,6 +29,7 @@ struct Sdpd {
   /// Several species, whose sizes and equations of state take the place of those above; they remain the
   /// units.
   std::vector<SdpdSpecies> species = {};
+  DensitySum density_sum = DensitySum::mass; ///< of species of unlike masses
 
   ReducedUnits units(SimulationSettings const& at) const;
   double unit_spacing(SimulationSettings const&) const { return 1; }

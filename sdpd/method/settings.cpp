@@ -9,7 +9,7 @@ ReducedUnits SimulationSettings::units() const {
 }
 
 std::size_t SimulationSettings::particle_count() const {
-  return std::size_t{lattice[0]} * lattice[1] * lattice[2];
+  return layout ? layout->size() : std::size_t{lattice[0]} * lattice[1] * lattice[2];
 }
 
 std::vector<Species> SimulationSettings::reduced_species() const {
@@ -25,7 +25,8 @@ std::vector<Species> SimulationSettings::reduced_species() const {
 
 double SimulationSettings::spacing() const {
   double const of_unit_mass = std::visit([this](auto const& of) { return of.unit_spacing(*this); }, method);
-  return of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
+  return layout ? of_unit_mass
+                : of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
 }
 
 double SimulationSettings::range() const {
@@ -48,8 +49,8 @@ bool SimulationSettings::conducts() const {
 }
 
 Box box_of(SimulationSettings const& s) {
-  return {s.spacing() * Vec3{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])},
-          periodic_axes(s.faces)};
+  Vec3 const lattice{double(s.lattice[0]), double(s.lattice[1]), double(s.lattice[2])};
+  return {s.layout ? s.layout->edge() : s.spacing() * lattice, periodic_axes(s.faces)};
 }
 
 double skin_of(SimulationSettings const& s) {
@@ -59,20 +60,22 @@ double skin_of(SimulationSettings const& s) {
 namespace {
 
 template <class AnySpecies>
-void check_species(std::vector<AnySpecies> const& species) {
+void check_species(std::vector<AnySpecies> const& species, bool are_drawn) {
   double sum = 0;
   for (auto const& of : species) {
-    require(species_shares.contains(of.share), fmt::format("share of species '{}'", of.name), of.share,
+    require(!are_drawn || species_shares.contains(of.share), fmt::format("share of species '{}'", of.name), of.share,
             species_shares.demand());
     require(positive.contains(mass_of(of)), fmt::format("mass of species '{}'", of.name), mass_of(of),
             positive.demand());
     sum += of.share;
   }
-  require(species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
+  require(!are_drawn || species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
 }
 
 /// The momenta of a single particle cannot have a temperature and no sum.
 void check_lattice(SimulationSettings const& s) {
+  if (s.layout) // which has counted them
+    return;
   double particles = 1;
   for (auto const n : s.lattice) {
     require(n >= 1, "particles along an edge", n, "must be >= 1");
@@ -122,7 +125,7 @@ void check(SimulationSettings const& s) {
   std::visit(
       [&](auto const& method) {
         method.check(s);
-        check_species(method.species);
+        check_species(method.species, !s.layout);
       },
       s.method);
   check_units(s);

@@ -3,12 +3,14 @@
 #include "sdpd/boundary/face.hpp"
 #include "sdpd/method/list.hpp"
 #include "sdpd/scheme/scheme.hpp"
+#include "sdpd/start/layout.hpp"
 #include "sdpd/state/species.hpp"
 #include <array>
+#include <memory>
 
 namespace mesobridge::sdpd {
 
-/// A fluid at equilibrium: what `Simulation` is built from. Quantities in the units of the method (SI, but
+/// A fluid in a box: what `Simulation` is built from. Quantities in the units of the method (SI, but
 /// for reduced models), except where it says reduced.
 struct SimulationSettings {
   static constexpr NumberRange disorders{.min = 0, .max = 0.5};
@@ -18,6 +20,8 @@ struct SimulationSettings {
   double T = 0;     ///< set temperature, > 0
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
+  /// Where the particles begin, if not all of them on that lattice at rest, at rho and T; reduced.
+  std::shared_ptr<Layout const> layout = {};
   Faces faces = {};                         ///< of the box; velocities and times in the units of the method
   double disorder = 0; ///< standard deviation of the initial displacements from it, in lattice spacings
   bool noise = true;   ///< false: viscous smoothed particle hydrodynamics, which starts at rest
@@ -42,7 +46,7 @@ struct SimulationSettings {
   double K() const { return units().K; } ///< atoms or molecules of a particle: 1 for DPD and DPDE
   std::size_t particle_count() const;
   std::vector<Species> reduced_species() const; ///< empty for one
-  double spacing() const;    ///< mean distance between particles, reduced: 1 for SDPD of one species
+  double spacing() const;    ///< mean distance between particles, at rho; reduced: 1 for SDPD of one species
   double range() const;      ///< of the interaction, reduced
   Features features() const; ///< of the particles
   bool conducts() const;     ///< whether particles exchange heat beside their friction

@@ -15,6 +15,7 @@ struct SdpdSpecies {
   double share; ///< of the particles, > 0; those of all species sum to 1
   double K;     ///< size in atoms or molecules, >= 1 and with a heat capacity above k_B/2
   fitting::AnyEos eos;
+  double rho = 0, T = 0; ///< where it begins; 0: at those of the settings
 };
 
 inline double mass_of(SdpdSpecies const& species) {

@@ -41,7 +41,7 @@ Tensor sum_over(System const& system, Gather<Quantity> const& gather, MakeStreng
   return total;
 }
 
-/// m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F_ij, Eq. (S9) of sdpd/README.md.
+/// m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F_ij, Eq. (S9) of sdpd/README.md, or that of Eq. (S44).
 template <class Kernel, class Masses>
 struct StrengthOfPressures {
   Kernel const& kernel;
@@ -58,8 +58,7 @@ struct StrengthOfPressures {
 
 template <class Kernel, class Masses>
 Tensor virial_of_pressures(System const& system, Kernel const& kernel, Masses) {
-  auto const& of = system.particles;
-  auto const push = [&](Index i) { return of.P[i] / (of.rho[i] * of.rho[i]); };
+  auto const push = [&](Index i) { return push_of_pressure(system, i); };
   return sum_over(system, Gather{push, 0.5 * system.neighbours.range()}, [&](std::size_t block) {
     thread_local Masses masses;
     masses.copy_in(system, system.neighbours.members(block));
@@ -83,7 +82,7 @@ Tensor virial_of_potential(System const& system, Potential const& potential) {
 Tensor virial(System const& system) {
   Tensor sum{};
   if (system.has_densities())
-    with_masses(system, [&](auto masses) {
+    with_density_weights(system, [&](auto masses) {
       sum = std::visit([&](auto const& kernel) { return virial_of_pressures(system, kernel, masses); },
                        system.kernel);
     });

@@ -44,7 +44,8 @@ enum class Stream : std::uint32_t {
   bath = 11,
   off_diagonal = 12, ///< of the matrix noise of the entropy form
   second_off_diagonal = 13,
-  species = 14 ///< which particles are of which
+  species = 14, ///< which particles are of which
+  initial_sites = 15 ///< of particles that start anywhere
 };
 
 /// The streams of one noise: of the first sweep of a step and of the second, if there is one.

@@ -12,6 +12,13 @@ struct Species {
   double mass;  ///< reduced
 };
 
+/// What a particle of unlike masses adds up over its neighbours to know its density (sdpd/README.md, Eq.
+/// (S44)). Where the masses are equal it makes no difference.
+enum class DensitySum {
+  mass,  ///< rho_i = sum_j m_j W_ij: right where the mass per volume is smooth, as for two sizes of one fluid
+  number ///< rho_i = m_i sum_j W_ij: right where the number per volume is, as at the interface of two fluids
+};
+
 /// How many of `count` particles are of each species: whole numbers by the largest remainders.
 std::vector<std::size_t> species_counts(std::span<Species const> species, std::size_t count);
 

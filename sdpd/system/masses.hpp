@@ -44,6 +44,30 @@ inline PairMasses<Lanes> masses_of(OwnMasses const& masses, LocalPair const* pai
   return of;
 }
 
+/// Calls f with the weights of neighbours in the sums of densities.
+template <class F>
+void with_density_weights(System const& system, F const& f) {
+  if (system.sums_masses())
+    f(OwnMasses{});
+  else
+    f(UnitMasses{});
+}
+
+/// The weight of one neighbour in them.
+inline double weight_of(System const& system, Index j) {
+  return system.sums_masses() ? system.particles.mass[j] : 1;
+}
+
+/// What the pressure of particle i gives to the force f_ij = w_i w_j (g_i + g_j) F r_ij, w the weights of
+/// neighbours: P_i/rho_i^2, or P_i/n_i^2 with n_i = rho_i/m_i (sdpd/README.md, Eq. (S44)).
+inline double push_of_pressure(System const& system, Index i) {
+  auto const& particles = system.particles;
+  double const push = particles.P[i] / (particles.rho[i] * particles.rho[i]);
+  return particles.mass.empty() || system.density_sum == DensitySum::mass
+             ? push
+             : push * particles.mass[i] * particles.mass[i];
+}
+
 /// Calls f with the kind of masses that the particles have.
 template <class F>
 void with_masses(System const& system, F const& f) {

@@ -22,6 +22,7 @@ struct System {
   std::unique_ptr<Thermodynamics const> thermodynamics; ///< none in DPD
   AnyKernel kernel;                                     ///< SDPD
   double self_density;                                  ///< what a particle adds to its own density
+  DensitySum density_sum = DensitySum::mass;
   AnyPotential potential;                               ///< DPD, DPDE
   AnyPairLaw law;                                       ///< friction and noise
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
@@ -76,6 +77,8 @@ struct System {
     return volume;
   }
 
+  /// Whether neighbours count by their masses in the density of a particle.
+  bool sums_masses() const { return !particles.mass.empty() && density_sum == DensitySum::mass; }
   bool has_densities() const { return std::holds_alternative<SdpdLaw>(law); }
   bool has_energies() const {
     return std::visit([](auto const& of) { return of.has_energies; }, law);

@@ -6,6 +6,7 @@
 #include "workflows/nearest.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
+#include "workflows/scene/region_checks.hpp"
 #include "workflows/scene/wish.hpp"
 #include <algorithm>
 #include <tuple>
@@ -36,21 +37,36 @@ void require_together(bool condition, Places const& places, std::string const& k
   require(condition, places.of(key) + ": " + key, value, what_is_allowed);
 }
 
-void check_fluid(Scene const& scene, Places const& places) {
-  auto const& fluid = scene.fluid;
+/// What a model asks of the scene, and of the size of its particles.
+void check_model(Scene const& scene, Places const& places, std::string const& eos, std::string const& eos_key,
+                 double K, std::string const& K_key) {
   bool const reduced = scene.units == UnitSystem::lj;
-  bool const ideal = fluid.eos == "ideal-gas";
-  if (is_built_in(fluid.eos))
-    require_together(is_reduced(fluid.eos) == reduced, places, "fluid.eos", fluid.eos,
+  if (is_built_in(eos))
+    require_together(is_reduced(eos) == reduced, places, eos_key, eos,
                      reduced ? "is a model in SI; scenes with units = \"lj\" take \"lj\" or a reduced model"
                              : "is a reduced model, which wants units = \"lj\"");
-  require_together(!ideal || fluid.m0, places, "fluid.eos", fluid.eos,
+  if (eos != "ideal-gas")
+    return;
+  require_together(scene.fluid.m0.has_value(), places, eos_key, eos,
                    "needs the mass of a molecule, fluid.m0");
+  require_together(K > 1, places, K_key, K,
+                   "must be > 1 for the ideal gas: its heat capacity is 3/2 (K - 1) k_B");
+}
+
+void check_fluid(Scene const& scene, Places const& places) {
+  auto const& fluid = scene.fluid;
+  check_model(scene, places, fluid.eos, "fluid.eos", scene.particles.K, "particles.K");
+  bool ideal = fluid.eos == "ideal-gas";
+  for (std::size_t k = 0; k < scene.regions.size(); ++k) {
+    auto const& region = scene.regions[k];
+    auto const eos = region.eos.value_or(fluid.eos);
+    check_model(scene, places, eos, fmt::format("region.{}.eos", k + 1),
+                region.K.value_or(scene.particles.K), fmt::format("region.{}.K", k + 1));
+    ideal = ideal || eos == "ideal-gas";
+  }
   if (fluid.m0)
     require_together(ideal, places, "fluid.m0", *fluid.m0,
                      "allowed with eos = \"ideal-gas\" only; other models know it");
-  require_together(!ideal || scene.particles.K > 1, places, "particles.K", scene.particles.K,
-                   "must be > 1 for the ideal gas: its heat capacity is 3/2 (K - 1) k_B");
 }
 
 constexpr std::int64_t least_calibration = 200;
@@ -103,18 +119,31 @@ void check_wish(Scene const& scene, Places const& places) {
 
 } // namespace
 
-void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places) {
-  auto& eos = scene.fluid.eos;
+namespace {
+
+void resolve_model_path(std::string& eos, std::string const& key, std::filesystem::path const& folder,
+                        Places const& places) {
   if (is_built_in(eos))
     return;
   if (!eos.ends_with(".toml"))
-    throw InputError(fmt::format(
-        "{}: fluid.eos = \"{}\": must be one of {} or the path of a model file (.toml){}",
-        places.of("fluid.eos"), eos, fitting::material_names(), did_you_mean(eos, built_in_models())));
+    throw InputError(fmt::format("{}: {} = \"{}\": must be one of {} or the path of a model file (.toml){}",
+                                 places.of(key), key, eos, fitting::material_names(),
+                                 did_you_mean(eos, built_in_models())));
   auto const path = std::filesystem::absolute(folder / eos).lexically_normal();
-  require_together(std::filesystem::is_regular_file(path), places, "fluid.eos", eos,
+  require_together(std::filesystem::is_regular_file(path), places, key, eos,
                    fmt::format("there is no model file '{}'", path.string()));
   eos = path.string();
+}
+
+} // namespace
+
+void resolve_model_paths(Scene& scene, std::filesystem::path const& folder, Places const& places) {
+  if (!scene.features().densities)
+    return;
+  resolve_model_path(scene.fluid.eos, "fluid.eos", folder, places);
+  for (std::size_t k = 0; k < scene.regions.size(); ++k)
+    if (auto& eos = scene.regions[k].eos)
+      resolve_model_path(*eos, fmt::format("region.{}.eos", k + 1), folder, places);
 }
 
 namespace {
@@ -142,7 +171,20 @@ void check_scheme(Scene const& scene, Places const& places) {
                    "the particles have no internal energies that could give or take energy");
 }
 
+/// The box is as large as its particles need, or holds as many as fit.
+void check_size(Scene const& scene, Places const& places) {
+  auto const& box = scene.box;
+  auto const N = scene.particles.N;
+  if (box.size.empty())
+    require_together(N > 0, places, "particles.N", N, "must be an integer >= 1, or give box.size");
+  else
+    require_together(N == 0 && box.lattice.empty(), places, N > 0 ? "particles.N" : "box.lattice",
+                     N > 0 ? N : std::int64_t(box.lattice.size()),
+                     "must not be given beside box.size, which says how many fit");
+}
+
 void check_box(Scene const& scene, Places const& places) {
+  check_size(scene, places);
   auto const& box = scene.box;
   if (!box.lattice.empty()) {
     require_together(box.lattice.size() == 3, places, "box.lattice", box.lattice.size(),
@@ -200,6 +242,7 @@ void check_schedules(Scene const& scene, Places const& places) {
 
 void check_together(Scene const& scene, Places const& places) {
   check_box(scene, places);
+  check_regions(scene, places);
   sdpd::for_method(scene.method.name, [&](auto type) { check_keys(type, scene, places); });
   check_scheme(scene, places);
   check_wish(scene, places);

@@ -29,9 +29,9 @@ class Places {
 std::string place_of(std::filesystem::path const& file, std::vector<std::string> const& overrides,
                      std::string const& key);
 
-/// Turns the path of a fitted model into an absolute one, so that the resolved scene reads back from any
-/// folder; the file must be there. Throws InputError.
-void resolve_model_path(Scene& scene, std::filesystem::path const& folder, Places const& places);
+/// Turns the paths of fitted models into absolute ones, so that the resolved scene reads back from any
+/// folder; the files must be there. Throws InputError.
+void resolve_model_paths(Scene& scene, std::filesystem::path const& folder, Places const& places);
 
 /// The rules that concern several keys at once. Throws InputError.
 void check_together(Scene const& scene, Places const& places);

@@ -18,6 +18,8 @@ std::string type_name(SceneKey const& key) {
     std::string operator()(std::optional<double>*) const { return "a number"; }
     std::string operator()(std::vector<std::string>*) const { return "a list of texts"; }
     std::string operator()(std::vector<std::int64_t>*) const { return "a list of integers"; }
+    std::string operator()(std::vector<double>*) const { return "a list of numbers"; }
+    std::string operator()(std::vector<Coordinate>*) const { return "a place along each axis"; }
     std::string operator()(TimeStep*) const { return "a number"; }
     std::string operator()(UnitSystem*) const { return "a text"; }
   };
@@ -58,8 +60,9 @@ std::string SceneKey::allowed(UnitSystem units) const {
     return text;
   auto const with_unit = fmt::format("text with a unit ({})",
                                      units == UnitSystem::lj ? "\"0.05 tau\"" : allowed_units(*dimension));
+  bool const place = std::holds_alternative<std::vector<Coordinate>*>(slot(scene));
   return time_step ? text + ", or such a number as " + with_unit + ", or \"auto\""
-                   : text + " as " + with_unit;
+                   : text + " as " + with_unit + (place ? ", or a share of the edge such as \"50 %\"" : "");
 }
 
 std::vector<SceneKey> const& scene_keys() {

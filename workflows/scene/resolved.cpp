@@ -21,7 +21,7 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     SceneKey const& key;
     bool si;
     using Text = std::optional<std::string>;
-    Text number(double value) const {
+    std::string number(double value) const {
       return key.dimension && si ? quoted(quantity_text(value, *key.dimension)) : fmt::format("{}", value);
     }
     Text operator()(std::string const* text) const { return quoted(*text); }
@@ -30,7 +30,7 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     }
     Text operator()(std::int64_t const* value) const { return fmt::format("{}", *value); }
     Text operator()(double const* value) const { return number(*value); }
-    Text operator()(std::optional<double> const* value) const { return *value ? number(**value) : Text(); }
+    Text operator()(std::optional<double> const* value) const { return *value ? Text(number(**value)) : Text(); }
     Text operator()(std::vector<std::string> const* texts) const {
       std::vector<std::string> words;
       for (auto const& text : *texts)
@@ -39,6 +39,18 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     }
     Text operator()(std::vector<std::int64_t> const* numbers) const {
       return numbers->empty() ? Text() : fmt::format("[{}]", fmt::join(*numbers, ", "));
+    }
+    Text operator()(std::vector<double> const* numbers) const {
+      std::vector<std::string> words;
+      for (double const value : *numbers)
+        words.push_back(number(value));
+      return words.empty() ? Text() : fmt::format("[{}]", fmt::join(words, ", "));
+    }
+    Text operator()(std::vector<Coordinate> const* places) const {
+      std::vector<std::string> words;
+      for (auto const& [value, is_share] : *places)
+        words.push_back(is_share ? fmt::format("\"{} %\"", value) : number(value));
+      return words.empty() ? Text() : fmt::format("[{}]", fmt::join(words, ", "));
     }
     Text operator()(TimeStep const* dt) const {
       if (dt->automatic)
@@ -54,14 +66,14 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
 }
 
 std::string resolved_toml(Scene const& scene) {
-  std::string text, section;
-  for (auto const& key : scene_keys()) {
+  std::string text, table;
+  for (auto const& key : all_keys(scene)) {
     auto const value = value_text(key, scene);
     if (!value || (key.written && !key.written(scene)))
       continue;
-    if (key.section != section) {
-      section = key.section;
-      text += "\n[" + section + "]\n";
+    if (auto const of_key = key.path().substr(0, key.path().rfind('.')); of_key != table && !key.section.empty()) {
+      table = of_key;
+      text += key.number ? "\n[[" + key.section + "]]\n" : "\n[" + key.section + "]\n";
     }
     text += key.name + " = " + *value + "\n";
   }
@@ -70,10 +82,13 @@ std::string resolved_toml(Scene const& scene) {
 
 std::string scene_keys_text() {
   std::string text = "Keys of a scene (* must be given):\n", section;
-  for (auto const& key : scene_keys()) {
+  Scene one_region;
+  one_region.regions.resize(1);
+  for (auto const& key : all_keys(one_region)) {
     if (key.section != section) {
       section = key.section;
-      text += "\n[" + section + "]\n";
+      text += key.number ? "\n[[" + section + "]] (any number of them; each takes from those before it)\n"
+                         : "\n[" + section + "]\n";
     }
     text += fmt::format("{}{:<17} {}\n", key.required ? '*' : ' ', key.name, key.meaning);
     text += fmt::format("{:<19}{}", "", key.allowed(UnitSystem::SI));

@@ -22,6 +22,15 @@ struct TimeStep {
   bool operator==(TimeStep const&) const = default;
 };
 
+/// A place along an axis of the box: a length, or a share of the box's edge in per cent.
+struct Coordinate {
+  double value = 0;
+  bool is_share = false;
+
+  double of(double edge) const { return is_share ? value / 100 * edge : value; }
+  bool operator==(Coordinate const&) const = default;
+};
+
 /// Numbers by the names of the parameters that some law is made of.
 class ParameterValues {
  public:
@@ -44,7 +53,7 @@ class ParameterValues {
   std::map<std::string, std::optional<double>, std::less<>> values_;
 };
 
-/// An equilibrium run of SDPD, DPDE or DPD as its scene file describes it. Quantities are in SI, or in
+/// A run of SDPD, DPDE or DPD as its scene file describes it. Quantities are in SI, or in
 /// Lennard-Jones units when `units` says so. Plain data: what the keys mean, allow and default to stands in
 /// scene/keys/.
 struct Scene {
@@ -71,14 +80,26 @@ struct Scene {
     std::string density = "auto";
     std::optional<double> density_scale, density_self;
     std::int64_t calibration_steps = 0; ///< 0: by the length of the run
+    std::string density_sum = "auto";
     bool operator==(Particles const&) const = default;
   } particles;
   struct Box {
     std::vector<std::int64_t> lattice; ///< particles along x, y, z; empty: as cubic as N allows
+    std::vector<double> size;          ///< edges, in place of N
     std::string x = "periodic", y = "periodic", z = "periodic";
     std::optional<double> piston, ramp; ///< velocity of the lower wall, and the time until it has it
     bool operator==(Box const&) const = default;
   } box;
+  struct Region { ///< a part of the box that starts otherwise than [fluid] says
+    std::string name, shape, part = "inside", fill = "fluid", axis = "z", lattice = "cubic";
+    std::vector<Coordinate> from, to, centre;
+    std::optional<double> radius;
+    std::optional<std::string> eos;
+    std::optional<double> K, rho, T, mass, heat_capacity; ///< those of the fluid if not given
+    std::vector<double> velocity, velocity_gradient;
+    bool operator==(Region const&) const = default;
+  };
+  std::vector<Region> regions; ///< each takes from those before it, and all from the fluid
   struct Transport {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;

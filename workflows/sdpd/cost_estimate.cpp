@@ -16,7 +16,7 @@ constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in 
 
 /// Particles times steps; as a double, since both may be large.
 double work_of(Scene const& scene) {
-  return static_cast<double>(scene.particles.N) *
+  return static_cast<double>(particles_of(scene)) *
          (static_cast<double>(scene.run.equilibrate) + static_cast<double>(scene.run.steps));
 }
 
@@ -24,15 +24,15 @@ double work_of_study(Scene const& scene) {
   if (!scene.scheme.dt.automatic)
     return 0;
   auto const trials = time_step_trials(scene);
-  double work = static_cast<double>(trials.front().scene.particles.N) * steps_of_start(scene);
+  double work = static_cast<double>(particles_of(trials.front().scene)) * steps_of_start(scene);
   for (auto const& trial : trials)
     work += work_of(trial.scene);
   return work;
 }
 
-double work_of_calibration(Scene const& scene, sdpd::SimulationSettings const& settings) {
+double work_of_calibration(Scene const& scene) {
   return wants_calibration(scene)
-             ? static_cast<double>(calibration_steps(scene)) * sdpd::calibrated_particles(settings)
+             ? static_cast<double>(calibration_steps(scene)) * sdpd::calibrated_particles(calibrated_settings(scene, 1))
              : 0;
 }
 
@@ -42,15 +42,15 @@ CostEstimate estimate_cost(Scene const& scene, int threads) {
   auto const settings = settings_of(scene, threads);
   double const h = settings.range() / settings.spacing();
   double const neighbours = 4 * std::numbers::pi / 3 * h * h * h;
-  double const pairs = static_cast<double>(scene.particles.N) * neighbours / 2;
+  double const pairs = static_cast<double>(particles_of(scene)) * neighbours / 2;
   double const seconds_per_work = neighbours / 2 * ns_per_pair * 1e-9 / threads;
-  double const calibration = seconds_per_work * work_of_calibration(scene, settings),
+  double const calibration = seconds_per_work * work_of_calibration(scene),
                study = seconds_per_work * work_of_study(scene);
   return {.neighbours = neighbours,
           .seconds = seconds_per_work * work_of(scene) + calibration + study,
           .calibration_seconds = calibration,
           .study_seconds = study,
-          .bytes = static_cast<double>(scene.particles.N) * bytes_per_particle +
+          .bytes = static_cast<double>(particles_of(scene)) * bytes_per_particle +
                    pairs * candidates_per_pair * bytes_per_candidate};
 }
 

@@ -1,6 +1,7 @@
 #include "workflows/sdpd/density_constants.hpp"
 #include "md/error.hpp"
 #include "sdpd/scheme/list.hpp"
+#include "workflows/sdpd/layout_of.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
@@ -9,6 +10,13 @@
 namespace mesobridge::workflows {
 
 namespace {
+
+/// [fluid] without the regions in it, by which all densities are calibrated.
+Scene without_regions(Scene scene) {
+  if (has_layout(scene))
+    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // of which a part is run
+  return scene;
+}
 
 /// What the scene says or, if it leaves that open, what suits its fluid; none where there is nothing to
 /// calibrate: without noise particles come to rest somewhere, and those that do not move have no equilibrium,
@@ -20,7 +28,7 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   if (density != "auto" || scene.scheme.noise == "off" ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
-  return sdpd::suitable_condition(settings_of(scene, 1));
+  return sdpd::suitable_condition(settings_of(without_regions(scene), 1));
 }
 
 } // namespace
@@ -39,8 +47,12 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
   return condition_of(scene).value();
 }
 
+sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads) {
+  return settings_of(without_regions(scene), threads);
+}
+
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {
-  auto const settings = settings_of(scene, threads);
+  auto const settings = calibrated_settings(scene, threads);
   try {
     return sdpd::calibrate_density(settings, scale_condition_of(scene),
                                    static_cast<std::uint64_t>(calibration_steps(scene)), keep_going);

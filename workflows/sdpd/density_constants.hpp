@@ -14,6 +14,9 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene);
 /// ... 6000.
 std::int64_t calibration_steps(Scene const& scene);
 
+/// The settings of the fluid that they are found on: that of [fluid], without the scene's regions.
+sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads);
+
 /// Finds them on the scene's own fluid. Throws as calibrate_density.
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going);
 

@@ -60,7 +60,7 @@ double growing(double rows, double row_numbers) {
 double results(Scene const& scene, Particle const& of) {
   double const instants = rows(scene, instants_every(scene.run)),
                stored =
-                   static_cast<double>(std::min<std::int64_t>(scene.particles.N, RunFile::stored_particles));
+                   static_cast<double>(std::min<std::int64_t>(particles_of(scene), RunFile::stored_particles));
   double bytes = growing(rows(scene, scene.run.sample_every), of.sample);
   if (of.moments > 0)
     bytes += growing(instants, of.moments) + of.instants * growing(instants, stored);
@@ -87,7 +87,7 @@ double results(Scene const& scene, Particle const& of) {
 }
 
 double trajectories(Scene const& scene, Particle const& of) {
-  auto const N = static_cast<double>(scene.particles.N);
+  auto const N = static_cast<double>(particles_of(scene));
   constexpr double vectors = 6; // of position and velocity
   double const h5md = rows(scene, scene.run.trajectory_every), vtkhdf = rows(scene, scene.run.vtkhdf_every),
                xyz = rows(scene, scene.run.xyz_every);
@@ -108,7 +108,7 @@ DiskEstimate estimate_disk(Scene const& scene) {
   auto const of = particle_of(scene);
   return {.results = results(scene, of),
           .trajectories = trajectories(scene, of),
-          .checkpoint = static_cast<double>(scene.particles.N) * of.checkpoint * number};
+          .checkpoint = static_cast<double>(particles_of(scene)) * of.checkpoint * number};
 }
 
 } // namespace mesobridge::workflows

@@ -151,7 +151,7 @@ std::string lead_of(RunResult const& run, OutputUnits const& units) {
   return fmt::format(
       "{} {} particles{} with {:.1f} neighbours each, {} steps of {:.4g} reduced time units{} "
       "after {} steps of equilibration.",
-      run.scene.particles.N, method.title,
+      particles_of(run.scene), method.title,
       method.features.densities ? fmt::format(" of size K = {:g}", run.settings.K()) : "", run.neighbours,
       run.scene.run.steps, run.settings.dt,
       run.scene.units == UnitSystem::SI ? fmt::format(" ({:.4g} s)", run.settings.dt * units.time) : "",

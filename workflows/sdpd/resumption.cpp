@@ -21,8 +21,11 @@ Values values_of(std::string const& resolved) {
   Values values;
   std::istringstream lines(resolved);
   std::string section;
+  int regions = 0;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('['))
+    if (line == "[[region]]")
+      section = fmt::format("region.{}.", ++regions);
+    else if (line.starts_with('['))
       section = line.substr(1, line.find(']') - 1) + ".";
     else if (auto const equals = line.find(" = "); equals != std::string::npos)
       values[section + line.substr(0, equals)] = line.substr(equals + 3);
@@ -156,7 +159,7 @@ Scene resumed_scene(Scene scene, std::string const& stored_scene, std::vector<In
   scene = with_findings(std::move(scene), stored);
   auto const files = scene_files(scene);
   std::vector<std::string> differences;
-  for (auto const& key : scene_keys()) {
+  for (auto const& key : all_keys(scene)) {
     auto const path = key.path();
     bool const same_instants =
         path == "run.instant_every" && instants_every(scene.run) == past_instants_every(stored);
@@ -166,6 +169,9 @@ Scene resumed_scene(Scene scene, std::string const& stored_scene, std::vector<In
     if (auto const found = difference(key, scene, stored))
       differences.push_back(*found);
   }
+  for (auto const& [path, value] : stored)
+    if (path == fmt::format("region.{}.shape", scene.regions.size() + 1))
+      differences.push_back(fmt::format("{} was {} and is not given", path, value));
   if (differences.empty())
     return scene;
   throw InputError(

@@ -37,7 +37,7 @@ void check_time_step(sdpd::SimulationSettings const& settings) {
 /// The edges of the box are counted in particles, so this asks for a number of them.
 void check_box(Scene const& scene, int threads) {
   Scene one = scene;
-  one.particles.N = 1, one.box = {};
+  one.particles.N = 1, one.box = {}, one.regions.clear();
   auto const settings = settings_for_check(one, threads);
   sdpd::check_units(settings);
   double const reach = (settings.range() + sdpd::skin_of(settings)) / settings.spacing();
@@ -59,7 +59,7 @@ void check_box(Scene const& scene, int threads) {
 
 void check_run(Scene const& scene, int threads) {
   check_steps(scene.run);
-  if (scene.box == Scene::Box{}) // of others the engine says what they lack
+  if (scene.box == Scene::Box{} && scene.regions.empty()) // of others the engine says what they lack
     check_box(scene, threads);
   auto const settings = settings_for_check(scene, threads);
   sdpd::check(settings);
@@ -68,7 +68,7 @@ void check_run(Scene const& scene, int threads) {
     for (auto const& trial : time_step_trials(scene))
       sdpd::check(settings_of(trial.scene, 1));
   if (wants_calibration(scene))
-    sdpd::check_calibration(settings, scale_condition_of(scene));
+    sdpd::check_calibration(calibrated_settings(scene, threads), scale_condition_of(scene));
 }
 
 Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads) {

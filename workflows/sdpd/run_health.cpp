@@ -16,9 +16,27 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 
 } // namespace
 
+namespace {
+
+/// Regions whose lattice is not of the density that was asked for.
+void add_doubts_about(sdpd::Layout const& layout, std::vector<sdpd::Finding>& doubts) {
+  constexpr double tolerable = 0.005;
+  for (std::size_t r = 0; r < layout.regions().size(); ++r) {
+    auto const& region = layout.regions()[r];
+    if (double const excess = layout.excess(r); !region.vacuum && std::abs(excess) > tolerable)
+      doubts.push_back(
+          {"region", false,
+           fmt::format("{}: its lattice is {:.2g} % {} than its density, since whole cells must fill it: another "
+                       "size of the box or of the particles fits better",
+                       region.name, 100 * std::abs(excess), excess > 0 ? "denser" : "thinner")});
+  }
+}
+
+} // namespace
+
 bool is_driven(Scene const& scene) {
   auto const& box = scene.box;
-  return box.piston || box.x == "open" || box.y == "open" || box.z == "open";
+  return !scene.regions.empty() || box.piston || box.x == "open" || box.y == "open" || box.z == "open";
 }
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
@@ -28,6 +46,8 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
   if (settings.features().densities)
     if (auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T))
       doubts.push_back({"range", false, fmt::format("fluid.eos: {}", *doubt)});
+  if (settings.layout)
+    add_doubts_about(*settings.layout, doubts);
   if (double const neighbours = neighbours_in_range(settings); neighbours < least_neighbours)
     doubts.push_back(
         {"neighbours", false,

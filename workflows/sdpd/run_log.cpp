@@ -37,7 +37,7 @@ RunLog::RunLog(std::filesystem::path const& file, bool resume, std::string const
                sdpd::SimulationSettings const& settings, std::function<void(std::string const&)> tell)
     : file_(file), units_(settings.units(), scene.units), features_(settings.features()),
       si_(scene.units == UnitSystem::SI), dt_(settings.dt),
-      particles_(static_cast<double>(scene.particles.N)), every_(thermo_every(scene.run)),
+      particles_(static_cast<double>(particles_of(scene))), every_(thermo_every(scene.run)),
       tell_(std::move(tell)) {
   if (!resume)
     std::ofstream(file_, std::ios::trunc);

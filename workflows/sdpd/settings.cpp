@@ -1,6 +1,7 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
 #include "workflows/processors.hpp"
+#include "workflows/sdpd/layout_of.hpp"
 #include "workflows/sdpd/method_of.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/text_file.hpp"
@@ -70,7 +71,7 @@ namespace {
 std::array<std::uint32_t, 3> particles_along_edges(Scene const& scene) {
   auto const& given = scene.box.lattice;
   if (given.empty())
-    return lattice_of(scene.particles.N);
+    return scene.particles.N > 0 ? lattice_of(scene.particles.N) : std::array<std::uint32_t, 3>{1, 1, 1};
   return {static_cast<std::uint32_t>(given.at(0)), static_cast<std::uint32_t>(given.at(1)),
           static_cast<std::uint32_t>(given.at(2))};
 }
@@ -124,7 +125,14 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   if (!scene.scheme.dt.reduced)
     settings.dt /= settings.units().time();
   settings.faces = faces_of(scene, settings);
+  if (has_layout(scene))
+    lay_out(scene, settings);
   return settings;
+}
+
+std::int64_t particles_of(Scene const& scene) {
+  return has_layout(scene) ? static_cast<std::int64_t>(settings_of(scene, 1).particle_count())
+                           : scene.particles.N;
 }
 
 std::int64_t instants_every(Scene::Run const& run) {

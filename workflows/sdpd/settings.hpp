@@ -31,6 +31,9 @@ std::int64_t instants_every(Scene::Run const& run);
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);
 
+/// How many particles the scene has.
+std::int64_t particles_of(Scene const& scene);
+
 /// Three factors of N as near to each other as can be. Throws InputError, with the nearest cube, when the
 /// flattest box of N particles is flatter than 1 : 3.
 std::array<std::uint32_t, 3> lattice_of(std::int64_t N);

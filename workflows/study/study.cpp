@@ -133,7 +133,7 @@ double narrowest_edge(Scene const& scene) {
 Scene small_sample(Scene const& scene, std::int64_t particles) {
   Scene sample = scene;
   auto const wanted = static_cast<std::int64_t>(std::llround(std::cbrt(particles)));
-  sample.box = {}; // periodic
+  sample.box = {}, sample.regions.clear(); // one periodic fluid
   sample.particles.N = wanted * wanted * wanted;
   auto const side = std::max(wanted, static_cast<std::int64_t>(std::ceil(narrowest_edge(sample))));
   sample.particles.N = side * side * side;

@@ -34,7 +34,7 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
 
 /// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
 std::vector<std::string> const rooms{
-    "simd",        "threads",        "state",      "kernel",  "potential", "friction",
+    "simd",        "threads",        "state",      "start",  "kernel",  "potential", "friction",
     "conduction",  "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
     "fluctuation", "scheme",         "method",     "observe", "",          "setup"};
 

@@ -25,6 +25,9 @@ std::vector<SceneKey> box_keys() {
           "particles along x, y and z at the start, N in all; if not given, as cubic as N allows")
           .in({.min = 1, .max = 4e9})
           .written_if(is_not_plain),
+      box("size", &Scene::Box::size, "its edges along x, y and z, in place of particles.N: as many as fit")
+          .quantity(Dimension::length, positive)
+          .written_if(is_not_plain),
       face('x', &Scene::Box::x),
       face('y', &Scene::Box::y),
       face('z', &Scene::Box::z),

@@ -7,7 +7,9 @@ namespace mesobridge::workflows {
 std::vector<SceneKey> particle_keys() {
   Table const particles{"particles", &Scene::particles};
   return {
-      particles("N", &Scene::Particles::N, "how many particles").required().in(at_least_one),
+      particles("N", &Scene::Particles::N, "how many particles; must be given, or box.size")
+          .in(at_least_one)
+          .written_if([](Scene const& scene) { return scene.particles.N > 0; }),
       particles("K", &Scene::Particles::K, "size: molecules in one particle")
           .required()
           .in(sdpd::Sdpd::sizes)
@@ -53,6 +55,14 @@ std::vector<SceneKey> particle_keys() {
           "steps of a calibration, of at most about 1000 particles, from 200 on; 0: a quarter of the run's, "
           "from 200 to 6000")
           .in({.min = 0, .max = 1e9})
+          .of<sdpd::Sdpd>(),
+      particles(
+          "density_sum", &Scene::Particles::density_sum,
+          "for regions whose particles have unlike masses. mass: rho_i = sum m_j W_ij, which is right where "
+          "the mass per volume is smooth; number: rho_i = m_i sum W_ij, where the number per volume is; "
+          "auto: number if all regions have the same distance between particles, else mass")
+          .choices({"auto", "mass", "number"})
+          .written_if([](Scene const& scene) { return !scene.regions.empty(); })
           .of<sdpd::Sdpd>(),
       particles("mass", &Scene::Particles::mass, "mass of one particle")
           .required()
