@@ -27,7 +27,8 @@ Description<StiffenedGasParameters> const& StiffenedGas::description() {
            "liquid water, 940 to 1170 kg/m^3 and 280 to 350 K (there its density is within 3 %), stiffened "
            "gas "
            "of Noble and Abel (Le Metayer and Saurel 2016), 0.1 MPa and 1500 m/s at 997 kg/m^3 and 300 K, SI",
-           water_parameters, UsableRange{940, 1170, 280, 350}}}};
+           water_parameters, UsableRange{940, 1170, 280, 350}},
+          {"air", "an ideal gas of exponent 1.4 and m0 = 28.96 u, SI", air_parameters}}};
   return description;
 }
 

@@ -18,6 +18,11 @@ struct StiffenedGasParameters {
 inline constexpr StiffenedGasParameters water_parameters{
     .gamma = 1.19, .P_inf = 6.2178e8, .c_v = 3610, .q = -1177788, .m0 = 18.015 * atomic_mass, .b = 6.7212e-4};
 
+/// Dry air as an ideal gas whose rotations are free and whose vibrations are frozen: c_v = (5/2) k_B/m0.
+inline constexpr double air_molecule = 28.96 * atomic_mass;
+inline constexpr StiffenedGasParameters air_parameters{
+    .gamma = 1.4, .P_inf = 0, .c_v = 2.5 * k_B / air_molecule, .q = 0, .m0 = air_molecule};
+
 /// The stiffened gas of Noble and Abel (an ideal gas under the inner pressure P_inf, of molecules that take
 /// the volume b; b = 0: the plain stiffened gas; fitting/README.md, Eq. (F7)), per unit mass, v = 1/rho:
 ///   e = q + c_v T + P_inf (v - b),  P = (gamma - 1)(e - q)/(v - b) - gamma P_inf,

@@ -25,13 +25,11 @@ std::vector<Vec3> basis_of(Lattice lattice) {
   return {{.5, .5, .5}};
 }
 
-/// How many cells fill a cuboid along x, y, z with so many sites in all, or nearly: whole numbers along the two
-/// shorter edges, and along the longest the one that brings their product nearest to what is wanted.
+/// How many cells fill a cuboid along x, y, z with so many sites in all, or nearly: whole numbers along the
+/// two shorter edges, and along the longest the one that brings their product nearest to what is wanted.
 std::array<std::uint64_t, 3> cells_along(Cuboid const& cuboid, double cell, double wanted) {
   Vec3 const edge = cuboid.to - cuboid.from;
-  auto const whole = [](double x) {
-    return static_cast<std::uint64_t>(std::max(1.0, std::round(x)));
-  };
+  auto const whole = [](double x) { return static_cast<std::uint64_t>(std::max(1.0, std::round(x))); };
   std::array<std::uint64_t, 3> n{whole(edge.x / cell), whole(edge.y / cell), whole(edge.z / cell)};
   int const longest = edge.z >= edge.x && edge.z >= edge.y ? 2 : edge.y >= edge.x ? 1 : 0;
   auto const at = static_cast<std::size_t>(longest);
@@ -137,7 +135,7 @@ void Layout::for_each_random_site(std::size_t region, Sites const& f) const {
     auto const word = Philox4x32::generate(
         {k, static_cast<std::uint32_t>(region), source.step_low, source.step_high_and_stream}, source.key);
     f(cuboid.from + Vec3{edge.x * random_number(word[0]), edge.y * random_number(word[1]),
-                        edge.z * random_number(word[2])});
+                         edge.z * random_number(word[2])});
   }
 }
 

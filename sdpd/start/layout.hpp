@@ -43,11 +43,13 @@ class Layout {
 
   Vec3 const& edge() const { return edge_; }
   std::vector<Region> const& regions() const { return regions_; }
-  std::size_t size() const { return size_; }                             ///< particles in all
+  std::size_t size() const { return size_; }                               ///< particles in all
   std::vector<std::size_t> const& particles() const { return particles_; } ///< of each region
 
   /// Calls f(q, r) for the place of each particle of region r, region by region, always in the same order.
   void for_each_place(std::function<void(Vec3 const&, std::size_t)> const& f) const;
+
+  std::size_t region_at(Vec3 const& q) const; ///< the last that holds the place; their number for none
 
   /// By which part the lattice of a region holds more sites than its density asks for: whole cells fill it.
   double excess(std::size_t region) const;
@@ -59,9 +61,8 @@ class Layout {
   using Sites = std::function<void(Vec3 const&)>;
 
   Cuboid cuboid_of(Region const& region) const; ///< of the box, that the region's lattice fills
-  double sites_of(Region const& region) const; ///< wanted, in that cuboid
+  double sites_of(Region const& region) const;  ///< wanted, in that cuboid
   std::array<std::uint64_t, 3> cells_of(Region const& region) const;
-  std::size_t region_at(Vec3 const& q) const; ///< the last that holds the place; their number for none
   void for_each_site(std::size_t region, Sites const& f) const;
   void for_each_lattice_site(Region const& region, Sites const& f) const;
   void for_each_random_site(std::size_t region, Sites const& f) const;

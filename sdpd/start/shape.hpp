@@ -22,7 +22,7 @@ struct Sphere {
 
 /// Along an axis, from one of its ends to the other.
 struct Cylinder {
-  int axis; ///< 0, 1, 2 for x, y, z
+  int axis;    ///< 0, 1, 2 for x, y, z
   Vec3 centre; ///< of any of its circles
   double radius;
   double from, to;

@@ -60,8 +60,8 @@ void check_fluid(Scene const& scene, Places const& places) {
   for (std::size_t k = 0; k < scene.regions.size(); ++k) {
     auto const& region = scene.regions[k];
     auto const eos = region.eos.value_or(fluid.eos);
-    check_model(scene, places, eos, fmt::format("region.{}.eos", k + 1),
-                region.K.value_or(scene.particles.K), fmt::format("region.{}.K", k + 1));
+    check_model(scene, places, eos, fmt::format("region.{}.eos", k + 1), region.K.value_or(scene.particles.K),
+                fmt::format("region.{}.K", k + 1));
     ideal = ideal || eos == "ideal-gas";
   }
   if (fluid.m0)

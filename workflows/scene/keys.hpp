@@ -10,10 +10,9 @@
 namespace mesobridge::workflows {
 
 /// Where a key's value lives in the scene; the alternative says what type the key has.
-using Slot =
-    std::variant<std::string*, std::optional<std::string>*, std::int64_t*, double*, std::optional<double>*,
-                 std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*,
-                 std::vector<Coordinate>*, TimeStep*, UnitSystem*>;
+using Slot = std::variant<std::string*, std::optional<std::string>*, std::int64_t*, double*,
+                          std::optional<double>*, std::vector<std::string>*, std::vector<std::int64_t>*,
+                          std::vector<double>*, std::vector<Coordinate>*, TimeStep*, UnitSystem*>;
 
 /// One key of a scene file.
 struct SceneKey {

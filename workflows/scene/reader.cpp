@@ -43,7 +43,8 @@ toml::table* numbered(toml::array& tables, std::string const& path) {
   auto const* const end = path.data() + path.size();
   auto const* const begin = path.data() + path.find('.') + 1;
   auto const [rest, error] = std::from_chars(begin, end, number);
-  bool const there = error == std::errc() && rest != end && *rest == '.' && number >= 1 && number <= tables.size();
+  bool const there =
+      error == std::errc() && rest != end && *rest == '.' && number >= 1 && number <= tables.size();
   return there ? tables[number - 1].as_table() : nullptr;
 }
 
@@ -61,9 +62,11 @@ void apply_override(toml::table& scene, std::string const& assignment, Places& p
       scene.insert(name, toml::table{});
     section = scene[name].is_array() ? numbered(*scene[name].as_array(), path) : scene[name].as_table();
     if (!section)
-      throw InputError(fmt::format("--set {}: '{}' is no section of the scene", assignment, path.substr(0, path.rfind('.'))));
+      throw InputError(fmt::format("--set {}: '{}' is no section of the scene", assignment,
+                                   path.substr(0, path.rfind('.'))));
   }
-  section->insert_or_assign(dot == std::string::npos ? path : path.substr(path.rfind('.') + 1), *value.get("value"));
+  section->insert_or_assign(dot == std::string::npos ? path : path.substr(path.rfind('.') + 1),
+                            *value.get("value"));
   places.note(path, "--set");
 }
 
@@ -102,7 +105,8 @@ void refuse_unknown_regions(toml::node const& node, Places& places) {
     throw InputError(fmt::format("{}: {} = {}: must be tables, each [[{}]]", places.of(regions), regions,
                                  text_of(node), regions));
   for (std::size_t k = 0; k < tables->size(); ++k)
-    refuse_unknown_keys(*(*tables)[k].as_table(), fmt::format("{}.{}", regions, k + 1), region_keys(k), places);
+    refuse_unknown_keys(*(*tables)[k].as_table(), fmt::format("{}.{}", regions, k + 1), region_keys(k),
+                        places);
 }
 
 /// Refuses keys and sections that no line of the table knows, and keys that stand in the wrong section.

@@ -30,7 +30,9 @@ std::optional<std::string> value_text(SceneKey const& key, Scene const& scene) {
     }
     Text operator()(std::int64_t const* value) const { return fmt::format("{}", *value); }
     Text operator()(double const* value) const { return number(*value); }
-    Text operator()(std::optional<double> const* value) const { return *value ? Text(number(**value)) : Text(); }
+    Text operator()(std::optional<double> const* value) const {
+      return *value ? Text(number(**value)) : Text();
+    }
     Text operator()(std::vector<std::string> const* texts) const {
       std::vector<std::string> words;
       for (auto const& text : *texts)
@@ -71,7 +73,8 @@ std::string resolved_toml(Scene const& scene) {
     auto const value = value_text(key, scene);
     if (!value || (key.written && !key.written(scene)))
       continue;
-    if (auto const of_key = key.path().substr(0, key.path().rfind('.')); of_key != table && !key.section.empty()) {
+    if (auto const of_key = key.path().substr(0, key.path().rfind('.'));
+        of_key != table && !key.section.empty()) {
       table = of_key;
       text += key.number ? "\n[[" + key.section + "]]\n" : "\n[" + key.section + "]\n";
     }

@@ -31,9 +31,9 @@ double work_of_study(Scene const& scene) {
 }
 
 double work_of_calibration(Scene const& scene) {
-  return wants_calibration(scene)
-             ? static_cast<double>(calibration_steps(scene)) * sdpd::calibrated_particles(calibrated_settings(scene, 1))
-             : 0;
+  return wants_calibration(scene) ? static_cast<double>(calibration_steps(scene)) *
+                                        sdpd::calibrated_particles(calibrated_settings(scene, 1))
+                                  : 0;
 }
 
 } // namespace

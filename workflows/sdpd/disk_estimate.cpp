@@ -59,8 +59,8 @@ double growing(double rows, double row_numbers) {
 
 double results(Scene const& scene, Particle const& of) {
   double const instants = rows(scene, instants_every(scene.run)),
-               stored =
-                   static_cast<double>(std::min<std::int64_t>(particles_of(scene), RunFile::stored_particles));
+               stored = static_cast<double>(
+                   std::min<std::int64_t>(particles_of(scene), RunFile::stored_particles));
   double bytes = growing(rows(scene, scene.run.sample_every), of.sample);
   if (of.moments > 0)
     bytes += growing(instants, of.moments) + of.instants * growing(instants, stored);

@@ -4,6 +4,7 @@
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
 #include "workflows/sdpd/measured_report.hpp"
+#include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/sdpd/shock.hpp"
@@ -194,6 +195,9 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
   auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
   if (shock)
     report.sections.push_back(shock_section(*shock, run));
+  if (auto const problem = riemann_problem(run.scene, run.settings))
+    if (auto const found = compare(*problem, Store(run_file, Store::Mode::read), run.scene, units))
+      report.sections.push_back(riemann_section(*found, units));
   if (!is_driven(run.scene))
     report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));

@@ -84,8 +84,7 @@ class Plan {
       return material.mass;
     Scene scene = scene_;
     scene.fluid.eos = material.eos;
-    return material.K *
-           std::visit([](auto const& eos) { return eos.molecular_mass(); }, eos_of(scene));
+    return material.K * std::visit([](auto const& eos) { return eos.molecular_mass(); }, eos_of(scene));
   }
 
   /// In the engine's length, along an axis whose edge is known.
@@ -146,16 +145,15 @@ void set_species(sdpd::Sdpd& fluid, Scene const& scene, Plan const& plan) {
     Scene one = scene;
     one.fluid.eos = of.eos;
     auto const [rho, T] = plan.state_of(k);
-    fluid.species.push_back(
-        {.name = of.eos, .share = 0, .K = of.K, .eos = eos_of(one), .rho = rho, .T = T});
+    fluid.species.push_back({.name = of.eos, .share = 0, .K = of.K, .eos = eos_of(one), .rho = rho, .T = T});
   }
 }
 
 void set_species(sdpd::Dpde& fluid, Scene const&, Plan const& plan) {
   for (auto const& of : plan.materials())
-    fluid.species.push_back({"", 0, of.mass,
-                             of.heat_capacity > 0 ? fitting::ConstantHeatCapacity(of.heat_capacity)
-                                                  : fluid.internal_energy});
+    fluid.species.push_back(
+        {"", 0, of.mass,
+         of.heat_capacity > 0 ? fitting::ConstantHeatCapacity(of.heat_capacity) : fluid.internal_energy});
 }
 
 void set_species(sdpd::Dpd& fluid, Scene const&, Plan const& plan) {

@@ -26,9 +26,10 @@ void add_doubts_about(sdpd::Layout const& layout, std::vector<sdpd::Finding>& do
     if (double const excess = layout.excess(r); !region.vacuum && std::abs(excess) > tolerable)
       doubts.push_back(
           {"region", false,
-           fmt::format("{}: its lattice is {:.2g} % {} than its density, since whole cells must fill it: another "
-                       "size of the box or of the particles fits better",
-                       region.name, 100 * std::abs(excess), excess > 0 ? "denser" : "thinner")});
+           fmt::format(
+               "{}: its lattice is {:.2g} % {} than its density, since whole cells must fill it: another "
+               "size of the box or of the particles fits better",
+               region.name, 100 * std::abs(excess), excess > 0 ? "denser" : "thinner")});
   }
 }
 

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/measured_series.hpp"
+#include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/summary.hpp"
@@ -72,6 +73,9 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   put_measured(json, file, scene, units);
   if (auto const shock = shock_of(file.store(), scene, settings))
     put_shock(json, *shock, units);
+  if (auto const problem = riemann_problem(scene, settings))
+    if (auto const found = compare(*problem, file.store(), scene, units))
+      put_riemann(json, *problem, *found, units);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

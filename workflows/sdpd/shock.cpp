@@ -1,6 +1,7 @@
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
+#include "workflows/sdpd/profile_rows.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/summary.hpp"
 #include <algorithm>
@@ -13,27 +14,16 @@ int walled_axis(Scene const& scene) {
   return scene.box.x == "walls" ? 0 : scene.box.y == "walls" ? 1 : 2;
 }
 
-/// One row a profile; `component` of `components` numbers a slice.
-std::vector<std::vector<double>> rows_of(Store const& store, std::string const& name, std::size_t slices,
-                                         std::size_t components = 1, std::size_t component = 0) {
-  auto const all = store.read_doubles("profile/" + name);
-  std::vector<std::vector<double>> rows(all.size() / (slices * components));
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    for (std::size_t s = 0; s < slices; ++s)
-      rows[k].push_back(all[(k * slices + s) * components + component]);
-  return rows;
-}
-
 /// The frames of a run; none where something is missing.
 std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
                                         sdpd::SimulationSettings const& settings, std::size_t slices) {
   OutputUnits const units(settings.units(), scene.units);
   auto const axis = static_cast<std::size_t>(walled_axis(scene));
   auto const time = store.read_doubles("profile/time" + units.time_key);
-  auto const velocity = rows_of(store, "velocity" + units.velocity_key, slices, 3, axis);
-  auto const rho = rows_of(store, "rho" + units.density_key, slices),
-             P = rows_of(store, "P" + units.pressure_key, slices),
-             T = rows_of(store, "T_int" + units.temperature_key, slices);
+  auto const velocity = profile_rows(store, "velocity" + units.velocity_key, slices, 3, axis);
+  auto const rho = profile_rows(store, "rho" + units.density_key, slices),
+             P = profile_rows(store, "P" + units.pressure_key, slices),
+             T = profile_rows(store, "T_int" + units.temperature_key, slices);
   auto const& motion = settings.faces[axis][0].motion;
   std::vector<sdpd::ShockFrame> frames;
   for (std::size_t k = 0; k < time.size(); ++k)

@@ -35,9 +35,10 @@ std::vector<SceneKey> region_keys(std::size_t index) {
       region("part", &Region::part, "inside the shape, or all of the box outside it")
           .choices({"inside", "outside"}),
       region("axis", &Region::axis, "across a slab, along a cylinder").choices({"x", "y", "z"}),
-      region("from", &Region::from,
-             "where a slab or a cylinder begins along its axis, or the lower corner of a block; if not given, "
-             "where the box does")
+      region(
+          "from", &Region::from,
+          "where a slab or a cylinder begins along its axis, or the lower corner of a block; if not given, "
+          "where the box does")
           .quantity(Dimension::length, any_number),
       region("to", &Region::to, "where it ends, or the upper corner; if not given, where the box does")
           .quantity(Dimension::length, any_number),

@@ -1,0 +1,147 @@
+#include "sdpd/observe/profile.hpp"
+#include "sdpd/simulation.hpp"
+#include "workflows/interrupt.hpp"
+#include "workflows/report/number_text.hpp"
+#include "workflows/reproduce/exact_cases.hpp"
+#include "workflows/reproduce/list.hpp"
+#include "workflows/sdpd/riemann_problem.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// One tube at one resolution. Errors in the largest exact value of each quantity along the tube.
+struct Solved {
+  std::int64_t n;
+  RiemannComparison found;
+  double rho_error, u_error, P_error, energy_drift;
+};
+
+double largest(std::vector<fitting::FlowState> const& exact, double (*of)(fitting::FlowState const&)) {
+  double most = 0;
+  for (auto const& state : exact)
+    most = std::max(most, std::abs(of(state)));
+  return most;
+}
+
+/// The profile at the end of a run that has not been written to files.
+RiemannComparison profile_of(sdpd::Simulation const& simulation, Scene const& scene, double time) {
+  auto const& units = simulation.units();
+  sdpd::Slices const slices{2, static_cast<std::size_t>(scene.profile.bins)};
+  auto const of = sdpd::profile(simulation.snapshot(), simulation.box(), slices, 1 / units.K);
+  RiemannComparison found{.time = time};
+  double const width = scene.box.size[2] / static_cast<double>(slices.count);
+  for (std::size_t s = 0; s < slices.count; ++s) {
+    found.place.push_back((static_cast<double>(s) + 0.5) * width);
+    found.rho.push_back(of.rho[s] * units.density), found.u.push_back(of.velocity[s].z * units.velocity());
+    found.P.push_back(of.P[s] * units.pressure()), found.T.push_back(of.T_int[s] * units.temperature);
+  }
+  return found;
+}
+
+Solved solve(TubeCase const& of, std::int64_t n, int threads, Progress& progress, double done, double share) {
+  Scene const scene = tube_scene(of, n);
+  auto const settings = settings_of(scene, threads);
+  auto const problem = riemann_problem(scene, settings).value();
+  sdpd::Simulation simulation(settings);
+  double const energy = simulation.observe().energy();
+  constexpr std::int64_t slice = 10;
+  for (std::int64_t step = 0; step < scene.run.steps; step += slice) {
+    simulation.advance(static_cast<std::uint64_t>(std::min(slice, scene.run.steps - step)));
+    progress.update(done + share * static_cast<double>(step) / static_cast<double>(scene.run.steps),
+                    fmt::format("{}, {} particles along the tube", of.name, n));
+    if (interrupt_requested())
+      throw Interrupted("stopped");
+  }
+  double const time = static_cast<double>(scene.run.steps) * scene.scheme.dt.value;
+  auto const found = compare(problem, profile_of(simulation, scene, time));
+  using State = fitting::FlowState const&;
+  return {n,
+          found,
+          found.rho_error / largest(found.exact, [](State at) { return at.state.rho; }),
+          found.u_error / largest(found.exact, [](State at) { return at.u; }),
+          found.P_error / largest(found.exact, [](State at) { return at.state.P; }),
+          simulation.observe().energy() / energy - 1};
+}
+
+/// How fast an error falls from the second last resolution to the last: error ~ n^-order.
+std::optional<double> order(std::vector<Solved> const& runs, double Solved::*error) {
+  if (runs.size() < 2)
+    return std::nullopt;
+  auto const &fine = runs.back(), &coarse = runs[runs.size() - 2];
+  return std::log(coarse.*error / fine.*error) /
+         std::log(static_cast<double>(fine.n) / static_cast<double>(coarse.n));
+}
+
+Table table_of(TubeCase const& of, std::vector<Solved> const& runs) {
+  Table table{.header = {"particles along it", "error of the density", "of the velocity", "of the pressure",
+                         "drift of the energy"},
+              .rows = {},
+              .caption =
+                  of.title + ". Means of |particles - exact| over the tube, in the largest exact value."};
+  for (auto const& run : runs)
+    table.rows.push_back({std::to_string(run.n), number_text(100 * run.rho_error, 3) + " %",
+                          number_text(100 * run.u_error, 3) + " %", number_text(100 * run.P_error, 3) + " %",
+                          number_text(run.energy_drift, 2)});
+  auto const text = [&](double Solved::*error) {
+    auto const found = order(runs, error);
+    return found ? number_text(*found, 2) : std::string();
+  };
+  table.rows.push_back(
+      {"order", text(&Solved::rho_error), text(&Solved::u_error), text(&Solved::P_error), ""});
+  return table;
+}
+
+Json json_of(TubeCase const& of, std::vector<Solved> const& runs) {
+  Json json{{"name", of.name}, {"rows", Json::array()}};
+  for (auto const& run : runs)
+    json["rows"].push_back({{"particles_along", run.n},
+                            {"L1_rho", run.rho_error},
+                            {"L1_u", run.u_error},
+                            {"L1_P", run.P_error},
+                            {"energy_drift", run.energy_drift}});
+  if (auto const falls = order(runs, &Solved::rho_error))
+    json["order_rho"] = *falls, json["order_u"] = *order(runs, &Solved::u_error),
+    json["order_P"] = *order(runs, &Solved::P_error);
+  return json;
+}
+
+} // namespace
+
+Reproduced reproduce_exact_solutions(ReproduceOptions const& options, Context const& context) {
+  std::vector<std::int64_t> resolutions{50, 100, 200};
+  if (options.preset != md::Preset::quick)
+    resolutions = {100, 200, 400, 800};
+  auto progress = context.progress("Exact solutions", 1);
+  double work = 0, done = 0;
+  for (auto const n : resolutions)
+    work += static_cast<double>(n * n * std::ssize(tube_cases()));
+  Reproduced found;
+  found.summary["cases"] = Json::array();
+  found.report.title = "Flows with exact solutions, in the limit without noise";
+  for (auto const& of : tube_cases()) {
+    std::vector<Solved> runs;
+    for (auto const n : resolutions) {
+      double const share = static_cast<double>(n * n) / work;
+      runs.push_back(solve(of, n, options.threads, progress, done, share)), done += share;
+    }
+    found.summary["cases"].push_back(json_of(of, runs));
+    auto section = riemann_section(
+        runs.back().found,
+        OutputUnits(settings_of(tube_scene(of, resolutions[0]), 1).units(), UnitSystem::SI), of.name);
+    section.title = of.title;
+    section.content.emplace_back(table_of(of, runs));
+    found.report.sections.push_back(std::move(section));
+  }
+  progress.finish();
+  found.report.lead =
+      "Viscous smoothed particle hydrodynamics, which is what SDPD becomes without noise, against exact "
+      "solutions of Riemann problems. The viscosity falls with the distance between particles, so that the "
+      "strongest shock stays two or three of them wide: the errors of smooth parts fall with the square of "
+      "that "
+      "distance or with the viscosity, those of shocks and contacts in proportion to it.";
+  return found;
+}
+
+} // namespace mesobridge::workflows
