@@ -3,7 +3,10 @@
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
+#include "workflows/sdpd/start_picture.hpp"
+#include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -13,6 +16,7 @@ namespace {
 struct Options {
   std::string scene;
   std::vector<std::string> overrides;
+  std::optional<std::string> drawing;
   bool keys = false;
 };
 
@@ -53,6 +57,7 @@ Result check(Options const& options, Context const& context) {
   for (auto const& what : warnings)
     context.log->warn("warning: {}", what);
   auto const resolved = resolved_toml(scene);
+  auto const regions = region_lines(scene, settings);
   Result result{.json = {{"scene", options.scene},
                          {"valid", true},
                          {"warnings", warnings},
@@ -66,10 +71,20 @@ Result check(Options const& options, Context const& context) {
                          {"estimated_disk_results_bytes", disk.results},
                          {"estimated_disk_trajectories_bytes", disk.trajectories},
                          {"estimated_disk_checkpoint_bytes", disk.checkpoint}},
-                .text = resolved + cost_text(cost, disk, threads),
+                .text = resolved +
+                        (regions.empty() ? "" : fmt::format("\n# {}", fmt::join(regions, "\n# "))) +
+                        cost_text(cost, disk, threads),
                 .complaint = ""};
   if (!scene.scheme.dt.automatic)
     put_time_step(result, settings, scene.units);
+  if (!regions.empty())
+    result.json["regions"] = regions;
+  if (options.drawing) {
+    write_text_file(*options.drawing, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+                                          draw_svg(start_picture(scene, settings)));
+    result.json["drawing"] = *options.drawing;
+    result.text += "\n# the start is drawn in " + *options.drawing;
+  }
   return result;
 }
 
@@ -79,6 +94,7 @@ void declare(CLI::App& app, Options& options) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  app.add_option("--draw", options.drawing, "Draw where the particles begin")->type_name("FILE.svg");
   app.add_flag("--keys", options.keys, "Explain all keys of a scene");
 }
 

@@ -4,6 +4,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/reproduce/exact_cases.hpp"
 #include "workflows/reproduce/list.hpp"
+#include "workflows/reproduce/sound_wave.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <algorithm>
@@ -107,6 +108,32 @@ Json json_of(TubeCase const& of, std::vector<Solved> const& runs) {
   return json;
 }
 
+/// Sound in air and in argon over the length of the wave.
+Section sound_section(std::vector<std::int64_t> const& lengths, int threads, Json& json) {
+  Table table{.header = {"fluid", "length in particles", "velocity [m/s]", "of the equation of state",
+                         "error", "damping [1/s]", "of the viscosity", "error"},
+              .rows = {},
+              .caption = "A standing wave on a cubic lattice, followed over two periods. A kernel of finite "
+                         "support sees short waves less: the errors fall with the square of the length."};
+  json = Json::array();
+  for (auto const& [eos, rho, T] : {std::tuple("air", 1.0, 300.0), {"argon", 1150.0, 1000.0}})
+    for (auto const n : lengths) {
+      auto const of = measure_sound(sound_scene(eos, rho, T, n), n, threads,
+                                    [](double) { return !interrupt_requested(); });
+      auto const percent = [](double error) { return number_text(100 * error, 2) + " %"; };
+      table.rows.push_back({eos, std::to_string(n), number_text(of.c, 6), number_text(of.c_exact, 6),
+                            percent(of.c_error()), number_text(of.damping, 4),
+                            number_text(of.damping_exact, 4), percent(of.damping_error())});
+      json.push_back({{"eos", eos},
+                      {"particles_along", n},
+                      {"c_m_s", of.c},
+                      {"c_exact_m_s", of.c_exact},
+                      {"damping_per_s", of.damping},
+                      {"damping_exact_per_s", of.damping_exact}});
+    }
+  return {"Sound", {std::move(table)}};
+}
+
 } // namespace
 
 Reproduced reproduce_exact_solutions(ReproduceOptions const& options, Context const& context) {
@@ -134,6 +161,10 @@ Reproduced reproduce_exact_solutions(ReproduceOptions const& options, Context co
     section.content.emplace_back(table_of(of, runs));
     found.report.sections.push_back(std::move(section));
   }
+  std::vector<std::int64_t> lengths{40, 80};
+  if (options.preset != md::Preset::quick)
+    lengths.push_back(160);
+  found.report.sections.push_back(sound_section(lengths, options.threads, found.summary["sound"]));
   progress.finish();
   found.report.lead =
       "Viscous smoothed particle hydrodynamics, which is what SDPD becomes without noise, against exact "

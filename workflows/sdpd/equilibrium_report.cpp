@@ -8,6 +8,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/sdpd/shock.hpp"
+#include "workflows/sdpd/start_picture.hpp"
 #include "workflows/text_file.hpp"
 
 namespace mesobridge::workflows {
@@ -195,6 +196,11 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
   auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
   if (shock)
     report.sections.push_back(shock_section(*shock, run));
+  if (run.settings.layout)
+    report.sections.push_back({"Start",
+                               {drawn({start_picture(run.scene, run.settings)},
+                                      fmt::format("A layer through the middle of the box. {}.",
+                                                  fmt::join(region_lines(run.scene, run.settings), "; ")))}});
   if (auto const problem = riemann_problem(run.scene, run.settings))
     if (auto const found = compare(*problem, Store(run_file, Store::Mode::read), run.scene, units))
       report.sections.push_back(riemann_section(*found, units));
