@@ -49,8 +49,9 @@ std::string run_text(RunResult const& result) {
   auto const features = result.settings.features();
   bool const driven = is_driven(scene);
   std::string const T_unit = si ? "K" : "", rho_unit = si ? "kg/m^3" : "";
-  std::string text =
-      line("T_kin", e.T_kin, units.temperature, T_unit, driven ? "" : set(scene.fluid.T, T_unit));
+  std::string text;
+  if (result.settings.noise) // what flows without noise has no temperature of its motion
+    text += line("T_kin", e.T_kin, units.temperature, T_unit, driven ? "" : set(scene.fluid.T, T_unit));
   if (features.energies)
     text += line("T_int", e.T_int, units.temperature, T_unit);
   text += line("P", e.P, units.pressure, si ? "Pa" : "");
