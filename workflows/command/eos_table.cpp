@@ -84,9 +84,10 @@ Result table(Options const& options, Context const& context) {
           std::int64_t{options.rho.points} * options.T.points, fmt::format("must be at most {}", most));
   auto const model = load_fluid(options.eos);
   auto const columns = table_columns(model, options);
-  if (file.extension() == ".csv")
+  if (file.extension() == ".csv") {
+    interrupts_end_at_once(); // the text of millions of states takes seconds
     write_text_file(file, csv_text(columns, model.reduced));
-  else
+  } else
     write_hdf5(columns, model, options, context);
   std::size_t unstable = 0;
   for (auto const& value : columns.back().values)
