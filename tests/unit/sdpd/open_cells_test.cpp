@@ -1,4 +1,4 @@
-#include "every_fluid.hpp"
+#include "pair_fluid_fixtures.hpp"
 #include "sdpd/neighbours/neighbours.hpp"
 #include "sdpd/simulation.hpp"
 #include <gtest/gtest.h>
@@ -97,6 +97,25 @@ TEST_P(OpenCells, DependOnThePositionsAlone) {
   neighbours.renew(there);
   EXPECT_EQ(there.id, order);
   EXPECT_EQ(neighbours.grid().blocks().size(), blocks);
+}
+
+// A fluid far outside the box feels what it felt inside it, to the digits that positions have there.
+TEST(FarFluid, HasTheForcesOfTheSameFluidInTheBox) {
+  auto settings = dpde_fluid(40, 0.01, 2);
+  settings.lattice = {6, 6, 9};
+  settings.disorder = 0.2;
+  settings.faces[2][0].kind = settings.faces[2][1].kind = FaceKind::open;
+  Simulation near(settings), far(settings);
+  auto start = near.checkpoint();
+  near.begin_from(start);
+  for (auto& q : start.particles.q)
+    q.z += 1e9;
+  far.begin_from(start);
+  EXPECT_EQ(near.neighbours(), far.neighbours());
+  EXPECT_NEAR(far.observe().energy() / near.observe().energy(), 1, 1e-6);
+  near.advance(20), far.advance(20);
+  EXPECT_NEAR(far.observe().energy() / near.observe().energy(), 1, 1e-5);
+  EXPECT_NEAR(far.neighbours() / near.neighbours(), 1, 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, OpenCells,
