@@ -19,6 +19,22 @@ double edge_along(Box const& box, unsigned axis) {
   return component(box.edge, static_cast<int>(axis));
 }
 
+/// From a cell to itself and one of each two opposite neighbours.
+constexpr std::array<std::array<std::int64_t, 3>, 14> half_of_ways{{{0, 0, 0},
+                                                                    {0, 0, 1},
+                                                                    {0, 1, -1},
+                                                                    {0, 1, 0},
+                                                                    {0, 1, 1},
+                                                                    {1, -1, -1},
+                                                                    {1, -1, 0},
+                                                                    {1, -1, 1},
+                                                                    {1, 0, -1},
+                                                                    {1, 0, 0},
+                                                                    {1, 0, 1},
+                                                                    {1, 1, -1},
+                                                                    {1, 1, 0},
+                                                                    {1, 1, 1}}};
+
 std::int64_t half(std::int64_t cell) { // rounded down
   return (cell - (cell & 1)) / width;
 }
@@ -68,14 +84,30 @@ void CellGrid::find_occupied(std::span<Vec3 const> q, int threads, std::vector<I
   });
 }
 
-/// Blocks of all stretches that hold an occupied cell.
+/// Blocks to which a pair of touching cells that hold particles belongs, or a cell with itself. A pair
+/// belongs to the stretches that own the lower of its two places along each edge.
 void CellGrid::cover_occupied() {
   std::array<std::vector<Place>, 8> phases; // even and odd stretches along each edge
-  for (auto const& [z, y, x] : occupied_)
-    for (auto const a : stretches_of(2, z))
-      for (auto const b : stretches_of(1, y))
-        for (auto const c : stretches_of(0, x))
-          phases[static_cast<unsigned>((c & 1) + 2 * (b & 1) + 4 * (a & 1))].push_back({a, b, c});
+  auto const wrapped = [&](Place place) {
+    for (unsigned d = 0; d < 3; ++d)
+      if (auto& at = place[2 - d]; box_.periodic[d])
+        at = at < 0 ? at + n_[d] : at >= n_[d] ? at - n_[d] : at;
+    return place;
+  };
+  for (auto const& place : occupied_)
+    for (auto const& way : half_of_ways) {
+      auto const [z, y, x] = place;
+      bool const itself = way == Place{};
+      if (!itself && occupied(wrapped({z + way[0], y + way[1], x + way[2]})) == occupied_.size())
+        continue;
+      auto const lower =
+          wrapped({z + std::min<std::int64_t>(way[0], 0), y + std::min<std::int64_t>(way[1], 0),
+                   x + std::min<std::int64_t>(way[2], 0)});
+      Place const owner{stretches_of(2, lower[0])[0], stretches_of(1, lower[1])[0],
+                        stretches_of(0, lower[2])[0]};
+      phases[static_cast<unsigned>((owner[2] & 1) + 2 * (owner[1] & 1) + 4 * (owner[0] & 1))].push_back(
+          owner);
+    }
   cell_count_ = occupied_.size() + 1; // the last stands for all empty ones
   blocks_.clear(), phase_begin_.assign(1, 0);
   for (auto& stretches : phases) {

@@ -72,7 +72,7 @@ TEST_P(OpenCells, AreNoMoreThanParticlesAndShareNoneWithinAPhase) {
   neighbours.renew(particles);
   auto const& grid = neighbours.grid();
   EXPECT_LE(grid.cell_count(), particles.size() + 1);
-  EXPECT_LE(grid.blocks().size(), 8 * particles.size());
+  EXPECT_LE(grid.blocks().size(), 14 * particles.size());
   std::size_t checked = 0;
   for (std::size_t phase = 0; phase < grid.phase_count(); ++phase) {
     std::set<Index> seen;
