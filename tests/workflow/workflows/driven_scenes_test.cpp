@@ -20,7 +20,7 @@ std::string fault_of_scene(std::filesystem::path const& folder, std::uint64_t se
   auto const out = folder / "out";
   std::filesystem::remove_all(out);
   auto const result =
-      run_process({"timeout", "-k", "5", "30", MESOBRIDGE_PROGRAM, "run", folder / "scene.toml", "-o", out,
+      run_process({"timeout", "-k", "5", "60", MESOBRIDGE_PROGRAM, "run", folder / "scene.toml", "-o", out,
                    "--quiet", "--no-report", "--threads", "1"});
   ++ends[result.status];
   if (auto const fault = fuzz::fault_of_driven(result.status, result.output + result.errors); !fault.empty())
