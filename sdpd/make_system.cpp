@@ -44,7 +44,7 @@ System empty_system(SimulationSettings const& s) {
           .potential = std::move(parts.potential),
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
-          .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
+          .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads, open_axes(s.faces)),
           .walls = make_walls(s.faces, box_of(s).edge, s.units().velocity(), s.units().time()),
           .boltzmann = parts.boltzmann,
           .seed = s.seed,

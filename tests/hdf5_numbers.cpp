@@ -1,5 +1,7 @@
 #include "hdf5_numbers.hpp"
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <hdf5.h>
 
 namespace mesobridge::tests {
@@ -37,6 +39,19 @@ std::vector<std::pair<std::string, std::vector<double>>> numbers_of(std::filesys
   H5Ovisit(handle, H5_INDEX_NAME, H5_ITER_INC, collect, &collector);
   H5Fclose(handle);
   return std::move(collector.all);
+}
+
+std::string not_finite_in(std::filesystem::path const& folder) {
+  for (auto const& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    auto const extension = entry.path().extension();
+    if (!entry.is_regular_file() || (extension != ".h5" && extension != ".vtkhdf"))
+      continue;
+    for (auto const& [name, values] : numbers_of(entry.path()))
+      for (double const value : values)
+        if (!std::isfinite(value))
+          return fmt::format("{}: {} holds {}", entry.path().string(), name, value);
+  }
+  return "";
 }
 
 } // namespace mesobridge::tests

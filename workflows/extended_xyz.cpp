@@ -1,5 +1,6 @@
 #include "workflows/extended_xyz.hpp"
 #include "md/error.hpp"
+#include "workflows/store/seal.hpp"
 #include <charconv>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -72,6 +73,7 @@ WholeFrames whole_frames(std::filesystem::path const& file) {
 /// Empties the file, or makes it.
 std::filesystem::path emptied(std::filesystem::path file) {
   UndoJournal::discard(file); // of a file of that name that is no more
+  remove_seal_beside(file);
   Descriptor const made(file, O_WRONLY | O_CREAT | O_TRUNC);
   return file;
 }
@@ -82,10 +84,15 @@ ExtendedXyzWriter::ExtendedXyzWriter(std::filesystem::path file)
     : ExtendedXyzWriter(emptied(std::move(file)), -1) {}
 
 ExtendedXyzWriter ExtendedXyzWriter::continue_file(std::filesystem::path file) {
-  UndoJournal::roll_back(file);
+  if (UndoJournal::exists(file))
+    UndoJournal::roll_back(file);
+  else
+    check_seal_beside(file);
   auto const whole = whole_frames(file);
   cut(Descriptor(file, O_WRONLY), whole.bytes, file);
-  return ExtendedXyzWriter(std::move(file), whole.last_step);
+  ExtendedXyzWriter writer(file, whole.last_step);
+  remove_seal_beside(file); // from here on the journal knows what the file is
+  return writer;
 }
 
 void ExtendedXyzWriter::append(ParticleFrame const& frame) {
@@ -99,7 +106,8 @@ void ExtendedXyzWriter::mark() {
 }
 
 void ExtendedXyzWriter::close() {
-  sync(Descriptor(file_, O_RDONLY), file_);
+  journal_->renew(); // so that nobody who dies from here on leads the sealed file back
+  seal_beside(file_);
   journal_.reset();
   UndoJournal::discard(file_);
 }

@@ -9,15 +9,15 @@ namespace mesobridge::workflows {
 /// A trajectory in the extended XYZ format, text that OVITO and ASE open: for each frame the number of
 /// particles, a line with the box, the columns, the step and the time, and one line a particle. Numbers are
 /// written so that they read back as the same bits. What was there at the last mark() survives the program's
-/// death at any moment.
+/// death at any moment. A closed file has a seal beside it (store/seal.hpp), by which damage shows.
 class ExtendedXyzWriter {
  public:
   /// Begins a new file. Throws EnvironmentError.
   explicit ExtendedXyzWriter(std::filesystem::path file);
 
   /// Goes on with a file that an earlier run wrote: from its last mark or, when it was closed, from its end;
-  /// what is left of a frame there is cut off.
-  /// Throws InputError, EnvironmentError.
+  /// what is left of a frame there is cut off (files of versions that did not seal them).
+  /// Throws InputError, EnvironmentError when the file is damaged.
   static ExtendedXyzWriter continue_file(std::filesystem::path file);
 
   /// Throws PhysicsError when a number of the frame is not finite, EnvironmentError when it cannot be

@@ -33,6 +33,14 @@ std::array<bool, 3> periodic_axes(Faces const& faces) {
   return periodic;
 }
 
+std::array<bool, 3> open_axes(Faces const& faces) {
+  std::array<bool, 3> open{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    open[axis] =
+        std::ranges::any_of(faces[axis], [](Face const& face) { return face.kind == FaceKind::open; });
+  return open;
+}
+
 std::vector<Wall> make_walls(Faces const& faces, Vec3 const& edge, double velocity_unit, double time_unit) {
   std::vector<Wall> walls;
   for (std::size_t axis = 0; axis < 3; ++axis)

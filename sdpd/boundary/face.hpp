@@ -32,6 +32,9 @@ bool has_walls(Faces const& faces);
 /// Which of the axes lead round.
 std::array<bool, 3> periodic_axes(Faces const& faces);
 
+/// Along which of them particles may leave the box.
+std::array<bool, 3> open_axes(Faces const& faces);
+
 /// The faces' walls in reduced units, of a box with these edges.
 std::vector<Wall> make_walls(Faces const& faces, Vec3 const& edge, double velocity_unit, double time_unit);
 

@@ -1,6 +1,7 @@
 #include "sdpd/boundary/mirror.hpp"
 #include "sdpd/system/masses.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
+#include <atomic>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -11,7 +12,8 @@ template <class Strength>
 void add_forces(System& system, Strength const& strength) {
   auto& particles = system.particles;
   for (auto& wall : system.walls) {
-    auto const& [near, images] = wall.layer;
+    auto const& near = wall.layer.particles;
+    auto const& images = wall.layer.images;
     std::vector<double> normal(near.size()), virial(near.size());
     for_each_index(near.size(), system.threads, [&](std::size_t k) {
       Index const i = near[k];
@@ -79,7 +81,9 @@ void add_wall_pair_forces(System& system) {
     return;
   find_wall_images(system);
   Failure failure;
-  std::vector<double> energy(system.size());
+  thread_local std::vector<double> energy_of_caller;
+  auto& energy = energy_of_caller; // the same for all threads of the sum
+  energy.assign(system.size(), 0);
   std::visit(
       [&](auto const& potential) {
         if constexpr (requires { potential(1.0, 1.0); })
@@ -115,10 +119,25 @@ void add_wall_virials(System const& system, std::vector<double>& virial) {
 
 namespace {
 
+bool some_came_through(System const& system, Wall const& wall) {
+  std::atomic<bool> some = false;
+  for_each_part(system.size(), system.threads, [&](std::size_t begin, std::size_t end) {
+    bool found = false;
+    for (std::size_t i = begin; i < end; ++i)
+      found |= wall.upper ? component(system.particles.q[i], wall.axis) > wall.position(system.wall_time)
+                          : component(system.particles.q[i], wall.axis) < wall.position(system.wall_time);
+    if (found)
+      some.store(true, std::memory_order_relaxed);
+  });
+  return some;
+}
+
 /// Images keep most particles away from the wall; the fastest come through.
 void bounce(System& system) {
   auto& particles = system.particles;
-  for (auto& wall : system.walls)
+  for (auto& wall : system.walls) {
+    if (!some_came_through(system, wall))
+      continue;
     for (std::size_t i = 0; i < system.size(); ++i)
       if (double const depth = -wall.distance(particles.q[i], system.wall_time); depth > 0) {
         double const m = particles.mass_of(i), v = wall.motion.velocity_at(system.wall_time);
@@ -130,6 +149,7 @@ void bounce(System& system) {
         wall.impulse += p - before;
         wall.work += (p - before) * (p + before) / (2 * m);
       }
+  }
 }
 
 } // namespace

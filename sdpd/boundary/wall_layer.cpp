@@ -34,15 +34,42 @@ struct Place {
   int cell_a, cell_b;
 };
 
+/// Particles that may come within the range before the lists are renewed, and so has each come by half their
+/// skin, or the wall by as much. Those of an earlier look are kept as long as that holds.
+void find_candidates(System const& system, Wall& wall) {
+  auto const& neighbours = system.neighbours;
+  auto& layer = wall.layer;
+  double const now = wall.position(system.wall_time);
+  if (layer.renewal == neighbours.renewals() && std::abs(now - layer.position) <= neighbours.skin() / 2)
+    return;
+  layer.renewal = neighbours.renewals(), layer.position = now;
+  layer.candidates.clear();
+  auto const at_renewal = neighbours.positions_at_renewal();
+  for (Index i = 0; i < system.size(); ++i)
+    if (wall.distance(at_renewal[i], system.wall_time) < neighbours.reach())
+      layer.candidates.push_back(i);
+}
+
+/// What the search for images works with, kept so that no step allocates.
+struct Search {
+  std::vector<Place> places;
+  std::vector<std::vector<Index>> in_cell;
+};
+
 void find_images(System const& system, Wall& wall) {
   double const range = system.neighbours.range();
-  auto& [particles, images] = wall.layer;
+  find_candidates(system, wall);
+  auto& particles = wall.layer.particles;
+  auto& images = wall.layer.images;
   Edge const a(system.box, (wall.axis + 1) % 3, range), b(system.box, (wall.axis + 2) % 3, range);
-  particles.clear();
-  std::vector<Place> places;
-  std::vector<std::vector<Index>> in_cell(static_cast<std::size_t>(a.cells * b.cells));
+  thread_local Search of_caller;
+  auto& [places, in_cell] = of_caller; // the same for all threads of the loop below
+  particles.clear(), places.clear();
+  in_cell.resize(static_cast<std::size_t>(a.cells * b.cells));
+  for (auto& some : in_cell)
+    some.clear();
   auto const cell = [&](int x, int y) { return static_cast<std::size_t>(y * a.cells + x); };
-  for (Index i = 0; i < system.size(); ++i)
+  for (Index const i : wall.layer.candidates)
     if (double const distance = wall.distance(system.particles.q[i], system.wall_time); distance < range) {
       Vec3 const q = system.box.wrap(system.particles.q[i]);
       double const x = component(q, a.axis), y = component(q, b.axis);
@@ -51,7 +78,7 @@ void find_images(System const& system, Wall& wall) {
       particles.push_back(i);
     }
   images.resize(std::max(images.size(), particles.size()));
-  for_each_index(particles.size(), system.threads, [&](std::size_t k) {
+  for_each_index(particles.size(), system.threads, [&, &places = places, &in_cell = in_cell](std::size_t k) {
     auto const& here = places[k];
     auto& seen = images[k];
     seen.clear();
@@ -60,6 +87,8 @@ void find_images(System const& system, Wall& wall) {
         for (Index const other : in_cell[cell(x, y)]) {
           auto const& there = places[other];
           double const both = here.distance + there.distance;
+          if (both >= range)
+            continue;
           Vec3 r;
           component(r, wall.axis) = wall.upper ? -both : both;
           component(r, a.axis) = a.nearest(here.a - there.a),

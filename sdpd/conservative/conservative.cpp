@@ -45,7 +45,12 @@ void refresh_lists(System& system) {
     if (!std::isfinite(norm2(system.particles.q[i])))
       failure.report(system.particles.id[i], "its position is not finite any more; take a shorter time step");
   system.stop_at(failure);
-  system.neighbours.renew(system.particles);
+  try {
+    system.neighbours.renew(system.particles);
+  } catch (PhysicsError const& error) { // the lists do not know where in the run they are
+    throw PhysicsError(
+        fmt::format("step {} (dt = {:.6g} reduced): {}", system.step, system.dt, error.what()));
+  }
   ++system.renewals;
 }
 

@@ -153,9 +153,10 @@ class ImplicitStep {
     double square = product(rest, rest);
     for (int k = 0; square > enough; ++k) {
       if (k == most_iterations)
-        throw PhysicsError(fmt::format("step {}: the implicit friction was not solved in {} iterations; take "
-                                       "a shorter time step",
-                                       system_.step, most_iterations));
+        throw PhysicsError(
+            fmt::format("step {} (dt = {:.6g} reduced): the implicit friction was not solved in {} "
+                        "iterations; take a shorter time step",
+                        system_.step, system_.dt, most_iterations));
       apply_matrix(way, image);
       double const length = square / product(way, image);
       for_each_particle([&](std::size_t i) { middle_[i] += length * way[i], rest[i] -= length * image[i]; });

@@ -1,5 +1,6 @@
 #include "sdpd/neighbours/cells.hpp"
 #include "md/error.hpp"
+#include "sdpd/threads/team.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,11 +16,6 @@ Box checked(Box const& box, double range) {
   require_cells(box, range);
   return box;
 }
-
-/// A stretch of cells begins at `begin` and owns the `width` gaps that follow: it holds width + 1 cells.
-struct Stretch {
-  Index begin, width;
-};
 
 /// Wide stretches fill the lanes of a sweep, because their pairs fall into fewer and longer matchings, and
 /// spare copies; beyond two cells the copies outgrow the first cache.
@@ -82,17 +78,25 @@ void require_cells(Box const& box, double range) {
                       std::numeric_limits<Index>::max()));
 }
 
-CellGrid::CellGrid(Box box, double range)
-    : box_(checked(box, range)), filled_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
-                                         cells_along(box.edge.z, range)} {
-  for (unsigned d = 0; d < 3; ++d)
+CellGrid::CellGrid(Box box, double range, std::array<bool, 3> open)
+    : box_(checked(box, range)),
+      open_(open), filled_{cells_along(box.edge.x, range), cells_along(box.edge.y, range),
+                           cells_along(box.edge.z, range)} {
+  for (unsigned d = 0; d < 3; ++d) {
     n_[d] = filled_[d] + (box.periodic[d] ? 0 : 1);
-  std::array<std::vector<Stretch>, 3> const along{stretches(n_[0]), stretches(n_[1]), stretches(n_[2])};
+    along_[d] = stretches(n_[d]);
+  }
+  if (is_endless()) { // cells and blocks come with the particles
+    cell_count_ = 1;
+    phase_begin_.assign(9, 0);
+    return;
+  }
+  cell_count_ = std::size_t{n_[0]} * n_[1] * n_[2];
   std::array<std::vector<Block>, 8> phases; // even and odd stretches along each edge
-  for_each_place({static_cast<Index>(along[0].size()), static_cast<Index>(along[1].size()),
-                  static_cast<Index>(along[2].size())},
+  for_each_place({static_cast<Index>(along_[0].size()), static_cast<Index>(along_[1].size()),
+                  static_cast<Index>(along_[2].size())},
                  [&](std::array<Index, 3> const& at) {
-                   Stretch const x = along[0][at[0]], y = along[1][at[1]], z = along[2][at[2]];
+                   Stretch const x = along_[0][at[0]], y = along_[1][at[1]], z = along_[2][at[2]];
                    phases[at[0] % 2 + 2 * (at[1] % 2) + 4 * (at[2] % 2)].push_back(
                        block_at({x.begin, y.begin, z.begin}, {x.width, y.width, z.width}));
                  });
@@ -100,6 +104,13 @@ CellGrid::CellGrid(Box box, double range)
     std::move(phase.begin(), phase.end(), std::back_inserter(blocks_));
     phase_begin_.push_back(blocks_.size());
   }
+}
+
+void CellGrid::place(std::span<Vec3 const> q, int threads, std::vector<Index>& cell) {
+  cell.resize(q.size());
+  if (is_endless())
+    return find_occupied(q, threads, cell);
+  for_each_index(q.size(), threads, [&](std::size_t i) { cell[i] = cell_of(q[i]); });
 }
 
 Index CellGrid::cell_of(Vec3 const& q) const {

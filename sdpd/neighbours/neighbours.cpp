@@ -76,8 +76,8 @@ Index global_index(BlockMembers const& members, std::size_t local) {
   throw std::logic_error("no such particle in the block");
 }
 
-Neighbours::Neighbours(Box box, double range, double skin, int threads)
-    : box_(box), range_(range), skin_(skin), threads_(threads), grid_(box, range + skin),
+Neighbours::Neighbours(Box box, double range, double skin, int threads, std::array<bool, 3> open)
+    : box_(box), range_(range), skin_(skin), threads_(threads), grid_(box, range + skin, open),
       lists_(grid_.blocks().size()) {}
 
 bool Neighbours::outdated(std::span<Vec3 const> q) const {
@@ -107,7 +107,9 @@ void Neighbours::renew(Particles& particles) {
   for_each_index(particles.size(), threads_,
                  [&](std::size_t i) { particles.q[i] = box_.wrap(particles.q[i]); });
   sort(particles);
+  lists_.resize(grid_.blocks().size());
   q_renewed_ = particles.q;
+  ++renewals_;
   largest_block_ = 0;
   for (std::size_t block = 0; block < lists_.size(); ++block) {
     find_members(block);
@@ -125,8 +127,8 @@ void Neighbours::renew(Particles& particles) {
 
 void Neighbours::sort(Particles& particles) {
   auto& [cell, next, order] = sorting_;
-  cell.resize(particles.size()), order.resize(particles.size());
-  for_each_index(particles.size(), threads_, [&](std::size_t i) { cell[i] = grid_.cell_of(particles.q[i]); });
+  order.resize(particles.size());
+  grid_.place(particles.q, threads_, cell);
   cell_begin_.assign(grid_.cell_count() + 1, 0);
   for (Index const c : cell)
     ++cell_begin_[c + 1];

@@ -36,11 +36,14 @@ Index global_index(BlockMembers const& members, std::size_t local);
 /// there are, and their order, depends on the positions at the last renewal and now, on nothing else.
 class Neighbours {
  public:
-  Neighbours(Box box, double range, double skin, int threads);
+  /// Along edges of the box that are `open` particles may go as far as they like.
+  Neighbours(Box box, double range, double skin, int threads, std::array<bool, 3> open = {});
 
   double range() const { return range_; }
   double reach() const { return range_ + skin_; } ///< of the candidates at a renewal
+  double skin() const { return skin_; }
   CellGrid const& grid() const { return grid_; }
+  std::uint64_t renewals() const { return renewals_; } ///< tells whether lists are those of an earlier look
 
   /// True when some particle has moved by more than half the skin since the last renewal (or there was none).
   bool outdated(std::span<Vec3 const> q) const;
@@ -92,6 +95,7 @@ class Neighbours {
   int threads_;
   CellGrid grid_;
   std::size_t largest_block_ = 0;
+  std::uint64_t renewals_ = 0;
   std::vector<Index> cell_begin_;
   Sorting sorting_;
   std::tuple<std::vector<std::uint32_t>, std::vector<double>, std::vector<Vec3>, std::vector<Caloric>> room_;

@@ -30,10 +30,14 @@ struct WallImage {
 
 /// The particles that see images behind a wall, and those within their range, for the positions at the last
 /// sum of the densities (with a pair potential: of the forces). Kept so that no step allocates: `images` may
-/// be longer.
+/// be longer. Those that may come so near, `candidates`, are looked for when the neighbour lists were renewed
+/// or the wall has moved by half their skin.
 struct WallLayer {
   std::vector<std::uint32_t> particles;
   std::vector<std::vector<WallImage>> images; ///< of each of them, its own among them
+  std::vector<std::uint32_t> candidates;
+  std::uint64_t renewal = 0; ///< of the lists, and where the wall was, when they were found
+  double position = 0;
 };
 
 /// A plane that mirrors the fluid (sdpd/README.md, Eq. (S40)): particles meet the images of themselves and of

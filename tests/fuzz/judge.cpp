@@ -1,7 +1,6 @@
 #include "fuzz/judge.hpp"
 #include "hdf5_numbers.hpp"
 #include "workflows/command.hpp"
-#include <cmath>
 #include <fmt/format.h>
 #include <regex>
 
@@ -9,26 +8,12 @@ namespace mesobridge::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using tests::numbers_of;
 
 /// A number that is none, printed as a word of its own (not "information", not a path).
 std::string words_without_value(std::string const& printed) {
   static std::regex const none(R"((^|[\s=:,(\[])[-+]?(nan|inf|infinity)($|[\s,;)\]]))", std::regex::icase);
   std::smatch found;
   return std::regex_search(printed, found, none) ? found.str() : "";
-}
-
-std::string files_without_value(fs::path const& folder) {
-  for (auto const& entry : fs::recursive_directory_iterator(folder)) {
-    auto const extension = entry.path().extension();
-    if (!entry.is_regular_file() || (extension != ".h5" && extension != ".vtkhdf"))
-      continue;
-    for (auto const& [name, values] : numbers_of(entry.path()))
-      for (double const value : values)
-        if (!std::isfinite(value))
-          return fmt::format("{}: {} holds {}", entry.path().string(), name, value);
-  }
-  return "";
 }
 
 /// What no command may do, whatever it was given.
@@ -53,7 +38,7 @@ std::string fault_of_last(Trial const& trial, Outcome const& last) {
     return trial.expected == Expected::success ? fmt::format("refused, with status {}", last.status) : "";
   if (trial.expected == Expected::refusal)
     return "succeeds, though it must refuse";
-  auto const where = fs::exists(trial.folder / "out") ? files_without_value(trial.folder / "out") : "";
+  auto const where = fs::exists(trial.folder / "out") ? tests::not_finite_in(trial.folder / "out") : "";
   return where.empty() ? "" : where + ", with success";
 }
 

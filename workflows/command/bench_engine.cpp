@@ -1,6 +1,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
+#include "workflows/bench/faces.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/shared_options.hpp"
@@ -14,14 +15,15 @@ namespace {
 struct Options {
   std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas", kernel = Scene().particles.kernel;
   double neighbours = 62;
-  std::uint32_t side = 22, fluctuate_every = 1;
+  std::uint32_t side = 22, along = 0, fluctuate_every = 1;
+  bool faces = false;
   double K = 100, kappa = 0;
   int steps = 20, repeats = 5;
 };
 
 sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::AnyMethod method) {
   return {.method = std::move(method),
-          .lattice = {options.side, options.side, options.side},
+          .lattice = {options.side, options.side, options.along > 0 ? options.along : options.side},
           .disorder = 0.15,
           .scheme = {.pairs = options.scheme, .verlet_steps = options.fluctuate_every},
           .threads = threads};
@@ -60,8 +62,27 @@ sdpd::SimulationSettings make(std::type_identity<Method>, Options const& options
   return settings;
 }
 
+/// What faces cost that are not periodic.
+Result run_faces(Options const& options, int threads) {
+  Json rows;
+  sdpd::for_method(options.method, [&](auto type) {
+    rows = time_faces(make(type, options, threads), {.steps = options.steps, .repeats = options.repeats});
+  });
+  std::size_t const across = options.side, along = options.along > 0 ? options.along : options.side;
+  return {.json = {{"faces", rows},
+                   {"threads", threads},
+                   {"method", options.method},
+                   {"scheme", options.scheme},
+                   {"n", across * across * along},
+                   {"lattice", {across, across, along}},
+                   {"repeats", options.repeats}},
+          .text = faces_text(rows)};
+}
+
 Result run(Options const& options, Context& context) {
   int const threads = context.options.threads.value_or(1);
+  if (options.faces)
+    return run_faces(options, threads);
   bool const densities = sdpd::method_named(options.method).features.densities;
   std::optional<sdpd::Simulation> made;
   sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
@@ -113,6 +134,9 @@ void declare(CLI::App& app, Options& options) {
               "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "
               "units; 0: none");
   add_bounded(app, "--side", options.side, 6, 400, "particles along an edge of the cubic box");
+  add_bounded(app, "--along", options.along, 0, 10000, "particles along z, if not as many; 0: as many");
+  app.add_flag("--faces", options.faces,
+               "walls, open faces and a box with 90 % vacuum beside the periodic one, across z");
   add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
   add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
   add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");

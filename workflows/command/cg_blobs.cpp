@@ -2,6 +2,7 @@
 #include "cg/intermolecular.hpp"
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/energy_check.hpp"
 #include "workflows/star/mapping_file.hpp"
@@ -153,6 +154,7 @@ class Conversion {
   }
 
   void take(TrajectoryFrame const& frame) {
+    throw_if_interrupted();
     auto const box = frame.image_box(reach_);
     std::vector<cg::BlobFrame> one{blobs_of(maker_, frame, box)};
     one[0].time = clock_.time(frame);

@@ -16,8 +16,8 @@ Columns detonation_columns(fitting::Shock const& cj) {
   return columns;
 }
 
-Result chapman_jouguet(DetonationOptions const& options, Context const&) {
-  auto const explosive = workflows::explosive(options);
+Result chapman_jouguet(DetonationOptions const& options, Context const& context) {
+  auto const explosive = workflows::explosive(options, context);
   bool const reduced = explosive.product.reduced;
   auto const cj = explosive.crussard.chapman_jouguet();
   auto const checks = explosive.crussard.check(cj);
@@ -26,6 +26,7 @@ Result chapman_jouguet(DetonationOptions const& options, Context const&) {
         fmt::format("the sonic point of the products at density {} is no minimum of D: a neighbour "
                     "is slower by {}",
                     cj.behind.rho, -checks.neighbours));
+  warn_outside_data(explosive.product, cj.behind.rho, cj.behind.T, context);
   auto const columns = detonation_columns(cj);
   auto const at_model_pressure = detonation_columns(explosive.from_model_pressure.chapman_jouguet());
   Result result;

@@ -69,12 +69,13 @@ Plot crussard_plot(Explosive const& explosive, std::vector<fitting::Shock> const
 Result crussard(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
-  auto const explosive = workflows::explosive(options.detonation);
+  auto const explosive = workflows::explosive(options.detonation, context);
   bool const reduced = explosive.product.reduced;
   auto const asked = options.shock.shock(explosive.crussard);
   Result result;
   result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
   if (asked) {
+    warn_outside_data(explosive.product, asked->behind.rho, asked->behind.T, context);
     auto const columns = shock_columns({*asked});
     put_first_row(result.json, columns, reduced);
     result.text = lines_text(columns, reduced);

@@ -66,6 +66,8 @@ Plot eos_plot(std::vector<NamedFluid> const& models, Options const& options, Con
   plot.panels[0].y.label = pressure_label(reduced);
   for (auto const& model : models) {
     require_same_units(models.front(), model);
+    for (double const T : options.isotherms)
+      warn_outside_data(model, {options.rho_min, options.rho_max}, {T, T}, context);
     for (auto& series : curves_of(model, options, context)) {
       if (series.x.empty()) {
         context.log->warn("{}: no density of the range lies inside the model", series.label);

@@ -83,10 +83,12 @@ Result table(Options const& options, Context const& context) {
   require(std::int64_t{options.rho.points} * options.T.points <= most, "--rho-points times --T-points",
           std::int64_t{options.rho.points} * options.T.points, fmt::format("must be at most {}", most));
   auto const model = load_fluid(options.eos);
+  warn_outside_data(model, {options.rho.min, options.rho.max}, {options.T.min, options.T.max}, context);
   auto const columns = table_columns(model, options);
-  if (file.extension() == ".csv")
+  if (file.extension() == ".csv") {
+    interrupts_end_at_once(); // the text of millions of states takes seconds
     write_text_file(file, csv_text(columns, model.reduced));
-  else
+  } else
     write_hdf5(columns, model, options, context);
   std::size_t unstable = 0;
   for (auto const& value : columns.back().values)

@@ -1,4 +1,5 @@
 #include "workflows/eos/curve_output.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/text_file.hpp"
 
@@ -20,6 +21,7 @@ void write_curve(Context const& context, Result& result, std::function<std::stri
   auto const& file = context.options.output;
   if (!file)
     return;
+  interrupts_end_at_once(); // gnuplot may take its time with many points
   switch (curve_file(*file)) {
   case CurveFile::csv:
     write_text_file(*file, csv());

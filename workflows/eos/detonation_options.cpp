@@ -19,11 +19,11 @@ void DetonationOptions::declare(CLI::App& app) {
       "reactant may put the given density and temperature under tension");
 }
 
-Explosive explosive(DetonationOptions const& options) {
+Explosive explosive(DetonationOptions const& options, Context const& context) {
   auto reactant = load_fluid(options.reactant), product = load_fluid(options.product);
   require_same_units(reactant, product);
   require(std::isfinite(options.P0), "--P0", options.P0, "must be finite");
-  auto const at_rest = options.initial.of(reactant.fluid);
+  auto const at_rest = options.initial.of(reactant, context);
   auto ahead = at_rest;
   ahead.P = options.P0;
   return {.reactant = reactant,

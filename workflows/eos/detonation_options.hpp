@@ -20,7 +20,8 @@ struct Explosive {
   fitting::Hugoniot from_model_pressure;
 };
 
-/// Throws InputError for unknown models or mixed units.
-Explosive explosive(DetonationOptions const& options);
+/// Throws InputError for unknown models or mixed units. Warns where the reactant at rest is outside its
+/// model's data.
+Explosive explosive(DetonationOptions const& options, Context const& context);
 
 } // namespace mesobridge::workflows

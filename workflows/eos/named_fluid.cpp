@@ -41,6 +41,14 @@ void warn_outside_data(NamedFluid const& fluid, double rho, double T, Context co
     context.log->warn("{}: {}", fluid.name, *doubt);
 }
 
+void warn_outside_data(NamedFluid const& fluid, std::array<double, 2> rho, std::array<double, 2> T,
+                       Context const& context) {
+  for (double const density : rho)
+    for (double const temperature : T)
+      if (fitting::extrapolation(fluid.model, density, temperature))
+        return warn_outside_data(fluid, density, temperature, context);
+}
+
 fitting::EosState InitialState::of(fitting::Fluid const& fluid) const {
   require_positive_number("--rho0", rho0);
   require_positive_number("--T0", T0);

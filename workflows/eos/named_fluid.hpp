@@ -27,6 +27,10 @@ void require_positive_number(std::string const& option, double value);
 /// Says so where the model is extrapolated.
 void warn_outside_data(NamedFluid const& fluid, double rho, double T, Context const& context);
 
+/// The same for all states of a rectangle, once.
+void warn_outside_data(NamedFluid const& fluid, std::array<double, 2> rho, std::array<double, 2> T,
+                       Context const& context);
+
 /// A state at rest given by --rho0 and --T0.
 struct InitialState {
   double rho0 = 0, T0 = 0;

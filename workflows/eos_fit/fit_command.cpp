@@ -151,7 +151,7 @@ Result run(fitting::FittableKind const& kind, Options const& options, Context co
     context.log->warn("the search stopped before the fit was at its best");
   if (auto const complaint = bad_fit(fit.outcome))
     context.log->warn(*complaint);
-  throw_if_interrupted();
+  interrupts_end_at_once(); // drawing takes seconds, and every file is whole once it is there
   auto const file = context.options.output.value_or(kind.name + ".toml");
   auto report = file;
   report.replace_extension(".html");

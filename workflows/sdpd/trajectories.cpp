@@ -1,5 +1,6 @@
 #include "workflows/sdpd/trajectories.hpp"
 #include "md/error.hpp"
+#include "workflows/store/seal.hpp"
 #include <algorithm>
 #include <array>
 
@@ -53,6 +54,8 @@ void make_way(std::filesystem::path const& file, std::int64_t every, std::int64_
     ++number;
   std::error_code error;
   std::filesystem::rename(file, numbered(number), error);
+  if (auto const seal = seal_beside_path(file); !error && std::filesystem::exists(seal))
+    std::filesystem::rename(seal, seal_beside_path(numbered(number)), error);
   if (error)
     throw EnvironmentError(fmt::format("cannot rename '{}': {}", file.string(), error.message()));
 }

@@ -12,6 +12,7 @@ Kind resume_kind();
 Kind journal_kind();
 Kind csv_kind();
 Kind scene_kind();
+Kind driven_kind();
 Kind model_kind();
 Kind command_line_kind();
 

@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/extended_xyz.hpp"
+#include "workflows/store/seal.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/vtkhdf.hpp"
 #include <fstream>
@@ -137,7 +138,8 @@ TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {
   auto const text = read_text_file(scratch / "whole.xyz");
   std::size_t cuts = 0;
   for (std::size_t const lost : {1u, 2u, 40u, 200u, 400u}) { // within the last frame, and in the one before
-    auto const file = scratch / "broken.xyz";
+    auto const file = scratch / "broken.xyz"; // of a version that did not seal it
+    remove_seal_beside(file);
     write_text_file(file, text.substr(0, text.size() - lost));
     auto writer = ExtendedXyzWriter::continue_file(file);
     for (auto next = writer.last_step() / 10 + 1; next < 3; ++next, ++cuts)
@@ -148,6 +150,70 @@ TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {
   EXPECT_GE(cuts, 5u);
   write_text_file(scratch / "foreign.xyz", "1\nno step here\nAr 0 0 0\n");
   EXPECT_THROW(ExtendedXyzWriter::continue_file(scratch / "foreign.xyz"), InputError);
+}
+
+/// A file of three frames that was closed, and what may become of it until a run goes on with it.
+TEST(ExtendedXyz, RefusesAClosedFileThatIsNotWhatItWas) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "t.xyz", seal = scratch / "t.xyz.seal";
+  ExtendedXyzWriter whole(file);
+  for (std::int64_t const k : {0, 1, 2})
+    whole.append(frame(k));
+  whole.close();
+  auto const text = read_text_file(file), sealed = read_text_file(seal);
+  auto const third = text.rfind("\n3\n") + 1; // where the last frame begins: its number of particles
+  ASSERT_GT(third, 100u);
+  auto digit = text, number = text, repeated = text + text.substr(third), padded = text + "\n";
+  digit[text.find('.', 200) + 1] = digit[text.find('.', 200) + 1] == '5' ? '6' : '5';
+  number.replace(text.find("step="), 6, "step=9");
+  std::vector<std::pair<std::string, std::string>> const damages{
+      {"a digit", digit},
+      {"another step", number},
+      {"the last frame is missing", text.substr(0, third)},
+      {"the first frame is missing", text.substr(text.find("\n3\n") + 1)},
+      {"cut within a frame", text.substr(0, text.size() - 40)},
+      {"a frame twice", repeated},
+      {"an empty line more", padded},
+      {"empty", ""}};
+  int refused = 0;
+  for (auto const& [how, content] : damages) {
+    write_text_file(file, content);
+    EXPECT_THROW(ExtendedXyzWriter::continue_file(file), InputError) << how;
+    EXPECT_EQ(read_text_file(file), content) << how; // left as it was found
+    ++refused;
+  }
+  EXPECT_EQ(refused, 8);
+  write_text_file(file, text);
+  for (auto const& broken :
+       {std::string(), sealed.substr(1), sealed + "x", std::string(sealed.size(), '\0')}) {
+    write_text_file(seal, broken);
+    EXPECT_THROW(ExtendedXyzWriter::continue_file(file), InputError);
+  }
+  write_text_file(seal, sealed);
+  auto writer = ExtendedXyzWriter::continue_file(file);
+  EXPECT_EQ(writer.last_step(), 20);
+  EXPECT_FALSE(std::filesystem::exists(seal)); // it may change from here on
+}
+
+// A process that dies while it closes the file, once the seal is there, has the journal beside it still.
+TEST(ExtendedXyz, GoesOnWhenSealAndJournalAreThere) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "t.xyz";
+  {
+    ExtendedXyzWriter writer(file);
+    writer.append(frame(0)), writer.mark(), writer.append(frame(1)), writer.mark();
+    seal_beside(file);
+    writer.append(frame(2)); // after the seal, and not marked
+  }
+  ASSERT_TRUE(UndoJournal::exists(file));
+  auto again = ExtendedXyzWriter::continue_file(file);
+  EXPECT_EQ(again.last_step(), 10);
+  again.append(frame(2)), again.close();
+  ExtendedXyzWriter unbroken(scratch / "whole.xyz");
+  for (std::int64_t const k : {0, 1, 2})
+    unbroken.append(frame(k));
+  unbroken.close();
+  EXPECT_EQ(read_text_file(file), read_text_file(scratch / "whole.xyz"));
 }
 
 } // namespace

@@ -126,13 +126,14 @@ class DamagedFiles : public ::testing::Test {
       "run.h5.undo",        "trajectory.h5",          "trajectory.h5.undo",
       "trajectory.vtkhdf",  "trajectory.vtkhdf.undo", "trajectory.xyz",
       "trajectory.xyz.undo"},
-      of_whole{"checkpoint.h5", "run.h5", "trajectory.h5", "trajectory.vtkhdf"};
+      of_whole{"checkpoint.h5",     "run.h5",         "trajectory.h5",
+               "trajectory.vtkhdf", "trajectory.xyz", "trajectory.xyz.seal"};
 };
 
 TEST_F(DamagedFiles, AreRefusedOrMended) {
   damage_all(3, of_broken, scratch / "broken");
   damage_all(2, of_whole, scratch / "whole");
-  EXPECT_EQ(total, 38);
+  EXPECT_EQ(total, 42);
 }
 
 using Long_DamagedFiles = DamagedFiles;
@@ -140,7 +141,7 @@ using Long_DamagedFiles = DamagedFiles;
 TEST_F(Long_DamagedFiles, AreRefusedOrMended) {
   damage_all(50, of_broken, scratch / "broken");
   damage_all(30, of_whole, scratch / "whole");
-  EXPECT_EQ(total, 620);
+  EXPECT_EQ(total, 680);
 }
 
 } // namespace

@@ -1,0 +1,89 @@
+#pragma once
+#include "unit/fitting/synthetic_grid.hpp"
+#include "workflows/lj/grid_file.hpp"
+#include "workflows/lj/state_grid_file.hpp"
+#include "workflows/star/blob_file.hpp"
+#include "workflows/text_file.hpp"
+
+// Inputs with which the commands that analyse and fit are busy for several seconds.
+
+namespace mesobridge::tests {
+
+/// States of the Lennard-Jones fluid with errors, as `cg state-grid` writes them.
+inline void write_many_states(std::filesystem::path const& file) {
+  std::mt19937_64 generator(3);
+  auto const grid = fitting::test::measured_grid(fitting::LjBwr(fitting::lj_bwr_1993),
+                                                 {.densities = 60, .temperatures = 60}, generator);
+  workflows::write_state_grid(file, grid, {.command = "test", .scene = "", .inputs = {}});
+}
+
+/// Series of a grid of runs, as `md lj-grid` writes them.
+inline void write_long_series(std::filesystem::path const& file, std::size_t states, int samples) {
+  std::vector<md::LjState> const all(states, md::LjState{.rho = 0.5, .T = 1.5});
+  workflows::LjGridFile grid(file, all, {}, {.command = "test", .scene = "", .inputs = {}});
+  std::mt19937_64 bits(3);
+  std::normal_distribution<double> normal;
+  std::vector<md::ThermoSample> series(static_cast<std::size_t>(samples));
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    series[k].step = static_cast<std::int64_t>(20 * k), series[k].T = 1.5 + 0.01 * normal(bits);
+    series[k].U = -2.5 + 0.02 * normal(bits), series[k].P = 0.75 + 0.05 * normal(bits);
+  }
+  for (std::size_t state = 0; state < states; ++state)
+    grid.append(state, series);
+  grid.close(true);
+}
+
+/// Blobs without a memory, of a melt or of isolated molecules at the temperature 1.
+inline void write_many_blobs(std::filesystem::path const& file, std::string const& kind, int molecules,
+                             int frames) {
+  bool const melt = kind == "melt";
+  workflows::BlobFileHead const head{
+      .kind = kind,
+      .name = "6-3",
+      .fingerprint = "test",
+      .molecules = molecules,
+      .atoms = 19,
+      .mass = 19,
+      .rho = melt ? 0.3 : 0,
+      .T = melt ? 0.0 : 1.0,
+      .set = std::vector<double>(melt ? 0 : static_cast<unsigned>(molecules), 1.0)};
+  workflows::BlobFile blobs(file, head, {.command = "test", .seed = 1, .scene = "", .inputs = {}});
+  std::mt19937_64 bits(5);
+  std::normal_distribution<double> normal;
+  double const edge = std::cbrt(19 * molecules / 0.3);
+  std::uniform_real_distribution<double> place(0, edge);
+  std::gamma_distribution<double> energy(40, 1);
+  std::vector<cg::BlobFrame> some; // each call waits for the disk
+  for (int f = 0; f < frames; ++f) {
+    cg::BlobFrame frame{.step = 10 * f, .time = 0.5 * f, .box = {{edge, edge, edge}}, .blobs = {}};
+    for (int m = 0; m < molecules; ++m)
+      frame.blobs.push_back({.R = {place(bits), place(bits), place(bits)},
+                             .P = {5 * normal(bits), 5 * normal(bits), 5 * normal(bits)},
+                             .U_kin = energy(bits),
+                             .U_pot = energy(bits),
+                             .Phi = normal(bits)});
+    some.push_back(std::move(frame));
+    if (some.size() == 500 || f + 1 == frames)
+      blobs.append(some), some.clear();
+  }
+  blobs.close();
+}
+
+/// A text dump of dimers (tests/cases/dump/dimer.toml) on a lattice.
+inline void write_long_dump(std::filesystem::path const& file, int frames) {
+  constexpr int side = 12;
+  std::string atoms;
+  for (int m = 0; m < side * side * side; ++m)
+    for (int a = 0; a < 2; ++a)
+      atoms +=
+          fmt::format("{} {} {} {} {} {} {}\n", 2 * m + a + 1, 2.5 * (m % side) + a, 2.5 * (m / side % side),
+                      2.5 * (m / side / side), 0.1 * (m % 7), 0.1 * a, -0.1 * (m % 5));
+  std::string text;
+  for (int f = 0; f < frames; ++f)
+    text += fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS pp pp pp\n"
+                        "0 30\n0 30\n0 30\nITEM: ATOMS id x y z vx vy vz\n{}",
+                        10 * f, 2 * side * side * side, atoms);
+  workflows::write_text_file(file, text);
+}
+
+} // namespace mesobridge::tests

@@ -1,0 +1,140 @@
+#include "workflows/bench/faces.hpp"
+#include "md/processor_clock.hpp"
+#include "sdpd/conservative/refresh.hpp"
+#include "sdpd/make_system.hpp"
+#include "sdpd/scheme/scheme.hpp"
+#include "sdpd/setup/equilibration.hpp"
+#include "sdpd/simulation.hpp"
+#include <cmath>
+#include <numeric>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr std::uint32_t lengths_of_vacuum_box = 10;
+
+/// A system that takes the particles of a checkpoint, moved by some way.
+class TimedBox {
+ public:
+  TimedBox(std::string name, sdpd::SimulationSettings const& settings, Vec3 const& way)
+      : name_(std::move(name)), system_(make_system(settings)),
+        sub_steps_(sub_steps(settings.scheme, *system_, settings.dt)), features_(settings.features()),
+        way_(way) {}
+
+  std::string const& name() const { return name_; }
+  double neighbours() const {
+    return 2.0 * static_cast<double>(system_->neighbours.pair_count()) / static_cast<double>(system_->size());
+  }
+
+  double renewals_per_step() const { return renewals_per_step_; } ///< of the lists, when last timed
+
+  /// Microseconds per particle and step, from the particles of the checkpoint on.
+  double time(sdpd::Checkpoint const& start, int steps) {
+    begin(start);
+    auto const renewed = system_->renewals;
+    md::ProcessorClock const clock; // in which other programs on the machine count for less
+    for (int k = 0; k < steps; ++k)
+      sdpd::step(*system_, sub_steps_);
+    renewals_per_step_ = static_cast<double>(system_->renewals - renewed) / steps;
+    return clock.seconds() * 1e6 / (static_cast<double>(system_->size()) * steps);
+  }
+
+ private:
+  void begin(sdpd::Checkpoint const& start) {
+    auto& particles = system_->particles;
+    particles.resize(start.particles.size(), features_);
+    particles.id = start.particles.id, particles.p = start.particles.p;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      particles.q[i] = start.particles.q[i] + way_;
+    for (auto const& field : sdpd::fields)
+      if (field.checkpointed)
+        particles.*field.values = start.particles.*field.values;
+    system_->step = start.step;
+    system_->neighbours.renew(particles);
+    refresh(*system_);
+  }
+
+  std::string name_;
+  std::unique_ptr<sdpd::System> system_;
+  std::vector<sdpd::SubStep> sub_steps_;
+  sdpd::Features features_;
+  Vec3 way_;
+  double renewals_per_step_ = 0;
+};
+
+/// Positions within the periodic box, as walls need them.
+sdpd::Checkpoint settled(sdpd::SimulationSettings const& periodic) {
+  sdpd::Simulation simulation(periodic);
+  sdpd::equilibrate(simulation, 64, [] { return true; });
+  auto checkpoint = simulation.checkpoint();
+  for (auto& q : checkpoint.particles.q)
+    q = simulation.box().wrap(q);
+  return checkpoint;
+}
+
+std::vector<TimedBox> boxes_of(sdpd::SimulationSettings const& periodic) {
+  auto walls = periodic, open = periodic;
+  walls.faces = sdpd::walls_along(2);
+  for (auto& face : open.faces[2])
+    face.kind = sdpd::FaceKind::open;
+  auto vacuum = open;
+  vacuum.lattice[2] *= lengths_of_vacuum_box;
+  double const length = component(box_of(periodic).edge, 2);
+  std::vector<TimedBox> boxes;
+  boxes.emplace_back("periodic", periodic, Vec3{});
+  boxes.emplace_back("two walls", walls, Vec3{});
+  boxes.emplace_back("two open faces", open, Vec3{});
+  boxes.emplace_back("90 % vacuum", vacuum, Vec3{0, 0, 0.5 * (lengths_of_vacuum_box - 1) * length});
+  return boxes;
+}
+
+struct Times {
+  std::vector<double> cost, ratio;
+};
+
+double mean(std::vector<double> const& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double standard_error(std::vector<double> const& values) {
+  double const n = static_cast<double>(values.size()), middle = mean(values);
+  double square = 0;
+  for (double const value : values)
+    square += (value - middle) * (value - middle);
+  return n > 1 ? std::sqrt(square / (n * (n - 1))) : 0;
+}
+
+} // namespace
+
+Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& timing) {
+  auto const start = settled(periodic);
+  auto boxes = boxes_of(periodic);
+  std::vector<Times> times(boxes.size());
+  for (int repeat = 0; repeat < timing.repeats; ++repeat)
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      times[k].cost.push_back(boxes[k].time(start, timing.steps));
+      times[k].ratio.push_back(times[k].cost.back() / times[0].cost.back());
+    }
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    rows.push_back({{"box", boxes[k].name()},
+                    {"us_per_particle_step", mean(times[k].cost)},
+                    {"ratio", mean(times[k].ratio)},
+                    {"ratio_se", standard_error(times[k].ratio)},
+                    {"neighbours", boxes[k].neighbours()},
+                    {"list_renewals_per_step", boxes[k].renewals_per_step()}});
+  return rows;
+}
+
+std::string faces_text(Json const& rows) {
+  std::string text = fmt::format("{:<16} {:>20} {:>22} {:>12} {:>14}\n", "box", "us/(particle step)",
+                                 "times the periodic one", "neighbours", "renewals/step");
+  for (auto const& row : rows)
+    text += fmt::format("{:<16} {:>20.3f} {:>12.3f} +- {:.3f} {:>12.1f} {:>14.3f}\n",
+                        row["box"].get<std::string>(), row["us_per_particle_step"].get<double>(),
+                        row["ratio"].get<double>(), row["ratio_se"].get<double>(),
+                        row["neighbours"].get<double>(), row["list_renewals_per_step"].get<double>());
+  return text;
+}
+
+} // namespace mesobridge::workflows
