@@ -11,6 +11,7 @@ enum class Dimension {
   temperature,
   density,
   velocity,
+  acceleration,
   momentum,
   pressure,
   energy,

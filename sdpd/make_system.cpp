@@ -53,6 +53,11 @@ void draw_momenta(Particles& particles, double boltzmann, std::uint64_t seed) {
     p *= scale;
 }
 
+BodyForce in_units(BodyForce force, ReducedUnits const& units) {
+  force.acceleration = force.acceleration / (units.velocity() / units.time());
+  return force;
+}
+
 System empty_system(SimulationSettings const& s) {
   auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
@@ -64,7 +69,8 @@ System empty_system(SimulationSettings const& s) {
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads),
-          .walls = make_walls(s.faces, box_of(s).edge, s.units().velocity(), s.units().time()),
+          .walls = make_walls(s.faces, box_of(s).edge, s.units()),
+          .body_force = in_units(s.body_force, s.units()),
           .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};

@@ -3,6 +3,7 @@
 #include "sdpd/boundary/face.hpp"
 #include "sdpd/method/list.hpp"
 #include "sdpd/scheme/scheme.hpp"
+#include "sdpd/state/body_force.hpp"
 #include "sdpd/state/species.hpp"
 #include <array>
 
@@ -19,6 +20,7 @@ struct SimulationSettings {
   std::array<std::uint32_t, 3> lattice{10, 10,
                                        10}; ///< particles along each edge of the initial cubic lattice
   Faces faces = {};                         ///< of the box; velocities and times in the units of the method
+  BodyForce body_force = {};                ///< in the units of the method
   double disorder = 0; ///< standard deviation of the initial displacements from it, in lattice spacings
   bool noise = true;   ///< false: viscous smoothed particle hydrodynamics, which starts at rest
   double skin = 0;     ///< of the neighbour lists, reduced; 0: chosen by the method

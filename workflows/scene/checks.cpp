@@ -142,6 +142,39 @@ void check_scheme(Scene const& scene, Places const& places) {
                    "the particles have no internal energies that could give or take energy");
 }
 
+/// Walls with friction, and what drives a flow.
+void check_flow(Scene const& scene, Places const& places) {
+  auto const& box = scene.box;
+  bool const walls = scene.features().walls, rough = box.slip == "none";
+  require_together(!rough || walls, places, "box.slip", box.slip,
+                   "needs walls: give box.x, box.y or box.z = \"walls\"");
+  bool const has_friction = scene.features().densities
+                                ? scene.transport.eta > 0
+                                : scene.friction.file || scene.friction.gamma_par.value_or(0) > 0 ||
+                                      scene.friction.gamma_perp > 0;
+  require_together(!rough || has_friction, places, "box.slip", box.slip,
+                   "needs a fluid with friction, which is the walls' too");
+  for (auto const& [key, value] :
+       {std::pair("box.wall_temperature", box.wall_temperature),
+        {"box.wall_friction", box.wall_friction},
+        {"box.slide", box.slide}})
+    if (value)
+      require_together(rough, places, key, *value, "needs slip = \"none\"");
+  bool const driven = box.slide || box.body_force;
+  if (box.flow) {
+    require_together(driven, places, "box.flow", *box.flow, "needs box.slide or box.body_force, whose axis it is");
+    auto const& across = *box.flow == "x" ? box.x : *box.flow == "y" ? box.y : box.z;
+    require_together(across == "periodic", places, "box.flow", *box.flow,
+                     fmt::format("must be an axis along which the box is periodic; it has {} there", across));
+  }
+  require_together(box.waves == 0 || (box.body_force && !walls), places, "box.waves", box.waves,
+                   "must be 0 without box.body_force, and between walls");
+  require_together(!scene.features().body_force || rough || !scene.features().energies ||
+                       scene.scheme.energy == "kept",
+                   places, "box.body_force", box.body_force.value_or(0),
+                   "heats the fluid; walls with slip = \"none\" or energy = \"kept\" take the heat out");
+}
+
 void check_box(Scene const& scene, Places const& places) {
   auto const& box = scene.box;
   if (!box.lattice.empty()) {
@@ -167,6 +200,7 @@ void check_box(Scene const& scene, Places const& places) {
   if (box.ramp)
     require_together(box.piston.has_value(), places, "box.ramp", *box.ramp,
                      "needs box.piston, whose start it is");
+  check_flow(scene, places);
 }
 
 /// The quantities that the scene names must be its method's, and there must be some.

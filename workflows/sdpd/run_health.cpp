@@ -18,7 +18,7 @@ double neighbours_in_range(sdpd::SimulationSettings const& settings) {
 
 bool is_driven(Scene const& scene) {
   auto const& box = scene.box;
-  return box.piston || box.x == "open" || box.y == "open" || box.z == "open";
+  return box.piston || box.slide || box.body_force || box.x == "open" || box.y == "open" || box.z == "open";
 }
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shock.hpp"
@@ -72,6 +73,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   put_measured(json, file, scene, units);
   if (auto const shock = shock_of(file.store(), scene, settings))
     put_shock(json, *shock, units);
+  if (auto const flow = flow_of(file.store(), scene, settings))
+    put_flow(json, *flow, units);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());
