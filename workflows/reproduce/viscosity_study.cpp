@@ -7,8 +7,9 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr std::array<std::uint32_t, 3> lattice{8, 8, 20};
+constexpr std::array<std::uint32_t, 3> lattice{7, 7, 20};
 constexpr std::uint64_t every = 4; ///< steps between two looks
+constexpr double wanted_amplitude = 0.7; ///< of the flow, over the thermal velocity
 
 /// Amplitudes of the wave of velocity and temperatures without it, look by look.
 struct Looks {
@@ -96,6 +97,11 @@ sdpd::SimulationSettings pair_fluid(sdpd::AnyMethod method, bool keep_energy, st
 
 } // namespace
 
+double relaxation_time(sdpd::SimulationSettings const& settings) {
+  auto const viscosity = sdpd::mean_field_viscosity(settings).sum() / settings.units().viscosity();
+  return 1 / Wave(settings).force(viscosity, 1);
+}
+
 MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double time,
                                     std::function<bool()> const& keep_going) {
   Wave const wave(settings);
@@ -104,13 +110,13 @@ MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double ti
   auto push = [&](double force) {
     settings.body_force = {.acceleration = {force * force_unit, 0, 0}, .across = 2, .waves = 1};
   };
-  double force = wave.force(sdpd::mean_field_viscosity(settings).sum() / units.viscosity(), wave.thermal());
+  double force = wave.force(sdpd::mean_field_viscosity(settings).sum() / units.viscosity(), wanted_amplitude * wave.thermal());
   push(force);
   sdpd::Simulation first(settings);
   sdpd::equilibrate(first, static_cast<std::uint64_t>(0.2 * time / settings.dt), keep_going);
   auto const pilot = advance(first, wave, 0.25 * time, settings.dt, keep_going);
   double const found = settled_mean(pilot.amplitude, pilot.amplitude.size() / 2).mean;
-  force *= std::clamp(wave.thermal() / found, 0.25, 8.0);
+  force *= std::clamp(wanted_amplitude * wave.thermal() / found, 0.25, 8.0);
   push(force);
   sdpd::Simulation simulation(settings);
   simulation.begin_from(first.checkpoint());

@@ -19,9 +19,12 @@ struct MeasuredViscosity {
   double amplitude = 0;          ///< of the velocity, over the thermal velocity (k_B T/m)^(1/2)
 };
 
+/// In which such a wave forgets its start, at the viscosity of Eq. (S55), reduced.
+double relaxation_time(sdpd::SimulationSettings const& settings);
+
 /// Pushes the fluid by a wave of body force (sdpd/README.md, Eq. (S54)) and takes the viscosity from the
-/// amplitude of the flow, which a first part of a quarter of the `time` [reduced] brings near the thermal
-/// velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does.
+/// amplitude of the flow, which a first part of a quarter of the `time` [reduced] brings to 0.7 times the
+/// thermal velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does.
 MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double time,
                                     std::function<bool()> const& keep_going);
 
