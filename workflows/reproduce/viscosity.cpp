@@ -24,12 +24,12 @@ struct Row {
   }
 };
 
-/// Reduced. Many relaxation times of the flow, and more for DPD and DPDE, whose steps are cheap; SDPD with
+/// Reduced. Many relaxation times of the flow, and more for DPD and DPDE, whose steps are cheap. SDPD with
 /// little friction flows as a more viscous fluid, so that less than the 25 of Eq. (S55) will do.
 double time_of(ViscosityCase const& of, md::Preset preset) {
   double const length = preset == md::Preset::quick ? 0.1 : preset == md::Preset::standard ? 1 : 10,
                relaxation = relaxation_time(of.settings);
-  return length * (of.name == "sdpd" ? std::clamp(25 * relaxation, 60.0, 300.0) : 200 * relaxation);
+  return length * (of.name == "sdpd" ? std::clamp(25 * relaxation, 60.0, 300.0) : 60 * relaxation);
 }
 
 Row measure(ViscosityCase const& of, md::Preset preset) {

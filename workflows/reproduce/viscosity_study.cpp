@@ -7,7 +7,8 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr std::array<std::uint32_t, 3> lattice{7, 7, 20};
+/// Particles that fly far need long waves: those of 20 spacings see a viscosity of DPD that is 4 % lower.
+constexpr std::array<std::uint32_t, 3> lattice{7, 7, 20}, long_lattice{7, 7, 40};
 constexpr std::uint64_t every = 4; ///< steps between two looks
 constexpr double wanted_amplitude = 0.7; ///< of the flow, over the thermal velocity
 
@@ -88,7 +89,7 @@ sdpd::SimulationSettings pair_fluid(sdpd::AnyMethod method, bool keep_energy, st
   return {.method = std::move(method),
           .rho = 3,
           .T = 1,
-          .lattice = lattice,
+          .lattice = long_lattice,
           .disorder = 0.15,
           .dt = 0.02,
           .scheme = {.keep_energy = keep_energy},
