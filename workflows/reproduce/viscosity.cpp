@@ -54,18 +54,19 @@ Json json_of(Row const& row) {
   }
   put(json, "viscosity" + unit, row.found->viscosity);
   put(json, "T_kin_over_T", row.found->T_kin);
+  json["amplitude_over_thermal_velocity"] = row.found->amplitude;
   return json;
 }
 
 std::string csv_of(std::vector<Row> const& rows) {
-  std::string text = "method,K,neighbours,unit,asked,mean_field,viscosity,viscosity_se,T_kin_over_T\n";
+  std::string text = "method,K,neighbours,unit,asked,mean_field,viscosity,viscosity_se,T_kin_over_T,amplitude\n";
   for (auto const& row : rows)
     if (row.found)
-      text += fmt::format("{},{},{:.4g},{},{},{:.6g},{:.6g},{:.3g},{:.5g}\n", row.of.name,
+      text += fmt::format("{},{},{:.4g},{},{},{:.6g},{:.6g},{:.3g},{:.5g},{:.3g}\n", row.of.name,
                           row.is_sdpd() ? fmt::format("{:g}", row.of.K) : "", row.of.neighbours,
                           row.is_sdpd() ? "Pa s" : "reduced",
                           row.asked() ? fmt::format("{:g}", *row.asked()) : "", row.mean_field.sum(),
-                          row.found->viscosity.mean, row.found->viscosity.se, row.found->T_kin.mean);
+                          row.found->viscosity.mean, row.found->viscosity.se, row.found->T_kin.mean, row.found->amplitude);
   return text;
 }
 

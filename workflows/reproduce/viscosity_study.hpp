@@ -24,7 +24,7 @@ double relaxation_time(sdpd::SimulationSettings const& settings);
 
 /// Pushes the fluid by a wave of body force (sdpd/README.md, Eq. (S54)) and takes the viscosity from the
 /// amplitude of the flow, which a first part of a quarter of the `time` [reduced] brings to 0.7 times the
-/// thermal velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does.
+/// thermal velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does, and where nothing flows.
 MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double time,
                                     std::function<bool()> const& keep_going);
 

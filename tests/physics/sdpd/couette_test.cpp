@@ -58,12 +58,12 @@ cg::Estimate viscosity_of(Couette const& found) {
   return {stress / slope.mean, stress / slope.mean * std::hypot(se / stress, slope.se / slope.mean), 1};
 }
 
-// Groot and Warren's fluid, whose viscosity a wave of force in a periodic box, without walls, gives as 0.84
+// Groot and Warren's fluid, whose viscosity a wave of force in a periodic box, without walls, gives as 0.81
 // (reproduce viscosity). With the coefficients of the pairs alone its slip length is 3.
 TEST(Couette, DoesNotSlipAndFeelsTheViscosityOfDpd) {
   auto const found = couette(dpd_fluid(0.02), 1.5, 4000, 24000);
   auto const eta = viscosity_of(found);
-  EXPECT_NEAR(eta.mean, 0.84, 0.02 + 4 * eta.se);
+  EXPECT_NEAR(eta.mean, 0.81, 0.02 + 4 * eta.se);
   EXPECT_LT(eta.se, 0.1);
   EXPECT_LT(std::abs(found.slip_length), 0.1 + 4 * found.slip_se);
   EXPECT_LT(found.slip_se, 0.25);
