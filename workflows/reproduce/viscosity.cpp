@@ -29,7 +29,9 @@ struct Row {
 double time_of(ViscosityCase const& of, md::Preset preset) {
   double const length = preset == md::Preset::quick ? 0.1 : preset == md::Preset::standard ? 1 : 10,
                relaxation = relaxation_time(of.settings);
-  return length * (of.name == "sdpd" ? std::clamp(25 * relaxation, 60.0, 300.0) : 60 * relaxation);
+  constexpr double least = 20; // or nothing can be said of errors
+  return std::max(least,
+                  length * (of.name == "sdpd" ? std::clamp(25 * relaxation, 60.0, 300.0) : 60 * relaxation));
 }
 
 Row measure(ViscosityCase const& of, md::Preset preset) {

@@ -2,6 +2,7 @@
 #include "cg/equilibration.hpp"
 #include "sdpd/method/mean_field_viscosity.hpp"
 #include "sdpd/setup/equilibration.hpp"
+#include "workflows/sdpd/short_series.hpp"
 #include <numbers>
 
 namespace mesobridge::workflows {
@@ -116,7 +117,7 @@ MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double ti
   sdpd::Simulation first(settings);
   sdpd::equilibrate(first, static_cast<std::uint64_t>(0.2 * time / settings.dt), keep_going);
   auto const pilot = advance(first, wave, 0.25 * time, settings.dt, keep_going);
-  double const found = settled_mean(pilot.amplitude, pilot.amplitude.size() / 2).mean;
+  double const found = mean_of_series(std::span(pilot.amplitude).subspan(pilot.amplitude.size() / 2)).mean;
   constexpr double most = 8;
   force *= found > 0 ? std::clamp(wanted_amplitude * wave.thermal() / found, 1 / most, most) : most;
   push(force);
