@@ -12,6 +12,7 @@ enum class Dimension {
   temperature,
   density,
   velocity,
+  acceleration,
   momentum,
   pressure,
   energy,

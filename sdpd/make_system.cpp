@@ -33,6 +33,11 @@ void put_before_walls(System& system) {
         component(q, wall.axis) += wall.upper ? -2 * depth : 2 * depth;
 }
 
+BodyForce in_units(BodyForce force, ReducedUnits const& units) {
+  force.acceleration = force.acceleration / (units.velocity() / units.time());
+  return force;
+}
+
 System empty_system(SimulationSettings const& s) {
   auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
@@ -45,7 +50,8 @@ System empty_system(SimulationSettings const& s) {
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads, open_axes(s.faces)),
-          .walls = make_walls(s.faces, box_of(s).edge, s.units().velocity(), s.units().time()),
+          .walls = make_walls(s.faces, box_of(s).edge, s.units()),
+          .body_force = in_units(s.body_force, s.units()),
           .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};

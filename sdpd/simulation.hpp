@@ -68,7 +68,7 @@ class Simulation {
   /// The walls of the box, with what they have done so far.
   std::vector<Wall> const& walls() const;
   double wall_time() const; ///< since they began to move
-  /// Moving walls wait where they are until they are let go.
+  /// Moving walls wait where they are, and body forces do not act, until they are let go.
   void hold_walls(bool hold);
 
   Checkpoint checkpoint() const;

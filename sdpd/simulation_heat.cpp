@@ -41,7 +41,7 @@ void Simulation::couple_to_bath() {
 void Simulation::scale_momenta(double factor) {
   for (auto& p : system_->particles.p)
     p *= factor;
-  system_->kept_energy = total_energy(*system_);
+  system_->kept_energy = total_energy(*system_) - system_->energy_given();
 }
 
 void Simulation::draw_temperatures() {

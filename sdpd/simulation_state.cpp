@@ -1,3 +1,4 @@
+#include "sdpd/boundary/wall_friction.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/observe/virials.hpp"
@@ -64,6 +65,31 @@ void restore_walls(System& system, std::vector<double> const& of) {
     system.wall_time = of.back();
 }
 
+bool has_flow(System const& system) {
+  return system.body_force.acts() || has_rough_walls(system);
+}
+
+std::vector<double> flow_of(System const& system) {
+  std::vector<double> flow;
+  if (!has_flow(system))
+    return flow;
+  for (auto const& wall : system.walls)
+    flow.insert(flow.end(), {wall.drag.x, wall.drag.y, wall.drag.z, wall.heat});
+  flow.insert(flow.end(), {system.body_work, system.sink_heat});
+  return flow;
+}
+
+void restore_flow(System& system, std::vector<double> const& of) {
+  std::size_t const numbers = has_flow(system) ? 4 * system.walls.size() + 2 : 0;
+  require(of.size() == numbers, "numbers of the flow in the checkpoint", of.size(),
+          fmt::format("must be {} as in the scene", numbers));
+  if (of.empty())
+    return;
+  for (std::size_t k = 0; k < system.walls.size(); ++k)
+    system.walls[k].drag = {of[4 * k], of[4 * k + 1], of[4 * k + 2]}, system.walls[k].heat = of[4 * k + 3];
+  system.body_work = of[numbers - 2], system.sink_heat = of[numbers - 1];
+}
+
 } // namespace
 
 Snapshot Simulation::snapshot() const {
@@ -103,6 +129,7 @@ Checkpoint Simulation::checkpoint() const {
     c.walls.insert(c.walls.end(), {wall.impulse, wall.work});
   if (!c.walls.empty())
     c.walls.push_back(system_->wall_time);
+  c.flow = flow_of(*system_);
   return c;
 }
 
@@ -117,6 +144,7 @@ void Simulation::restore(Checkpoint const& c) {
   system_->neighbours.renew(particles);
   particles.q = c.particles.q;
   restore_walls(*system_, c.walls);
+  restore_flow(*system_, c.flow);
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
@@ -129,6 +157,7 @@ void Simulation::begin_from(Checkpoint const& c) {
   take_checkpointed(particles, c.particles);
   system_->label_particles();
   restore_walls(*system_, c.walls);
+  restore_flow(*system_, c.flow);
   system_->step = c.step;
   system_->neighbours.renew(particles);
   refresh(*system_);

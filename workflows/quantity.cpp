@@ -39,6 +39,8 @@ constexpr Unit units[] = {
     {Dimension::density, "g/cm^3", 1e3},
     {Dimension::velocity, "m/s", 1},
     {Dimension::velocity, "km/s", 1e3},
+    {Dimension::acceleration, "m/s^2", 1},
+    {Dimension::acceleration, "nm/ps^2", 1e15},
     {Dimension::momentum, "kg*m/s", 1},
     {Dimension::pressure, "Pa", 1},
     {Dimension::pressure, "MPa", 1e6},

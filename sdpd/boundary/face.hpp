@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/state/units.hpp"
 #include "sdpd/state/wall.hpp"
 #include <array>
 #include <vector>
@@ -15,6 +16,7 @@ enum class FaceKind {
 struct Face {
   FaceKind kind = FaceKind::periodic;
   WallMotion motion = {}; ///< of a wall
+  WallFriction friction = {};
 };
 
 /// The lower and the upper face along x, y and z.
@@ -29,6 +31,9 @@ inline Faces walls_along(int axis, WallMotion const& lower = {}, WallMotion cons
 
 bool has_walls(Faces const& faces);
 
+/// Whether a wall has friction.
+bool has_rough_walls(Faces const& faces);
+
 /// Which of the axes lead round.
 std::array<bool, 3> periodic_axes(Faces const& faces);
 
@@ -36,7 +41,7 @@ std::array<bool, 3> periodic_axes(Faces const& faces);
 std::array<bool, 3> open_axes(Faces const& faces);
 
 /// The faces' walls in reduced units, of a box with these edges.
-std::vector<Wall> make_walls(Faces const& faces, Vec3 const& edge, double velocity_unit, double time_unit);
+std::vector<Wall> make_walls(Faces const& faces, Vec3 const& edge, ReducedUnits const& units);
 
 /// Throws InputError that names the face that cannot be as it is.
 void check(Faces const& faces);

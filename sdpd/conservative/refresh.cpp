@@ -19,7 +19,7 @@ void refresh_by(System& system, void (*thermodynamics)(System&)) {
 void refresh(System& system) {
   refresh_lists(system);
   refresh_by(system, thermodynamics_from_energy);
-  system.kept_energy = total_energy(system);
+  system.kept_energy = total_energy(system) - system.energy_given();
 }
 
 void set_energies_from_temperatures(System& system) {

@@ -38,7 +38,8 @@ Features SimulationSettings::features() const {
       [&](auto const& of) {
         Features features = of.features;
         features.masses = !of.species.empty();
-        features.walls = has_walls(faces);
+        features.walls = has_walls(faces), features.rough_walls = has_rough_walls(faces);
+        features.body_force = body_force.acts();
         return features;
       },
       method);
@@ -85,6 +86,16 @@ void check_lattice(SimulationSettings const& s) {
           fmt::format("must be 2 ... {}", std::numeric_limits<Index>::max()));
 }
 
+void check_body_force(SimulationSettings const& s) {
+  auto const& [a, across, waves] = s.body_force;
+  for (double const one : {a.x, a.y, a.z})
+    require(any_number.contains(one), "body force", one, any_number.demand());
+  require(across >= 0 && across <= 2, "axis of the waves of the body force", across, "must be 0, 1 or 2");
+  require(waves >= 0, "waves of the body force", waves, "must be >= 0");
+  require(waves == 0 || s.faces[static_cast<std::size_t>(across)][0].kind == FaceKind::periodic,
+          "waves of the body force", waves, "must be 0 across faces that are not periodic");
+}
+
 } // namespace
 
 void require_one_species(SimulationSettings const& s, std::string_view asked) {
@@ -119,6 +130,7 @@ void check(SimulationSettings const& s) {
           s.disorders.demand() + " lattice spacings");
   check_lattice(s);
   check(s.faces);
+  check_body_force(s);
   require(not_negative.contains(s.bath_rate), "rate of the bath", s.bath_rate, not_negative.demand());
   require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");
   check(s.scheme, s.features(), s.noise);

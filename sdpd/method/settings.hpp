@@ -4,6 +4,7 @@
 #include "sdpd/method/list.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/start/layout.hpp"
+#include "sdpd/state/body_force.hpp"
 #include "sdpd/state/species.hpp"
 #include <array>
 #include <memory>
@@ -23,6 +24,7 @@ struct SimulationSettings {
   /// Where the particles begin, if not all of them on that lattice at rest, at rho and T; reduced.
   std::shared_ptr<Layout const> layout = {};
   Faces faces = {};                         ///< of the box; velocities and times in the units of the method
+  BodyForce body_force = {};                ///< in the units of the method
   double disorder = 0; ///< standard deviation of the initial displacements from it, in lattice spacings
   bool noise = true;   ///< false: viscous smoothed particle hydrodynamics, which starts at rest
   double skin = 0;     ///< of the neighbour lists, reduced; 0: chosen by the method

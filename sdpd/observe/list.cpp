@@ -9,6 +9,9 @@ Measurement compression_response();
 Measurement pressure_tensor();
 Measurement wall_pressure();
 Measurement wall_work();
+Measurement wall_drag();
+Measurement wall_heat();
+Measurement body_work();
 
 std::vector<Measurement> const& measurements() {
   static auto const all = [] {
@@ -18,6 +21,9 @@ std::vector<Measurement> const& measurements() {
     list.push_back(pressure_tensor());
     list.push_back(wall_pressure());
     list.push_back(wall_work());
+    list.push_back(wall_drag());
+    list.push_back(wall_heat());
+    list.push_back(body_work());
     return list;
   }();
   return all;

@@ -11,7 +11,7 @@ Observation observe(System const& system) {
   Observation sum;
   sum.step = system.step;
   sum.potential = system.potential_energy;
-  sum.wall_work = system.wall_work();
+  sum.wall_work = system.wall_work(), sum.given = system.energy_given();
   bool const densities = system.has_densities(), energies = system.has_energies();
   double mass = 0;
   for (Index const i : place) {

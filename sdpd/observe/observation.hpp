@@ -10,6 +10,7 @@ struct Observation {
   double internal = 0;  ///< sum eps
   double potential = 0; ///< of the pair potential
   double wall_work = 0; ///< done on the fluid by its walls so far
+  double given = 0;     ///< to the fluid from outside so far: that work, the walls' heat, the body force's work
   double T_kin =
       0; ///< kinetic temperature, of the 3(N-1) degrees of freedom that a fixed total momentum leaves
   /// Internal temperature: the arithmetic mean of T_i for SDPD, the harmonic one for DPDE
@@ -19,8 +20,8 @@ struct Observation {
   double rho = 0; ///< mean of the particles' densities; mass per volume where they have none
   Vec3 momentum;  ///< total
 
-  /// What is conserved: the total energy, less what the walls have given.
-  double energy() const { return kinetic + internal + potential - wall_work; }
+  /// What is conserved: the total energy, less what has come from outside.
+  double energy() const { return kinetic + internal + potential - given; }
 };
 
 /// Sums in the order of the ids, so that the result does not depend on the threads nor on the order in

@@ -1,5 +1,7 @@
 #include "sdpd/scheme/scheme.hpp"
 #include "md/error.hpp"
+#include "sdpd/boundary/wall_friction.hpp"
+#include "sdpd/conservative/body_force.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/fluctuation/conduction.hpp"
 #include "sdpd/scheme/list.hpp"
@@ -46,10 +48,11 @@ SubStep conduction(PairIntegrator const& pairs, double dt, bool second) {
 }
 
 /// Brings the total energy back to what it was, with one factor for all particles' temperatures (Eq. (S30)),
-/// so that small cold ones stay above zero.
+/// so that small cold ones stay above zero. What a body force has done leaves the same way.
 void restore_energy(System& system) {
   auto& particles = system.particles;
-  double const missing = system.kept_energy + system.wall_work() - total_energy(system);
+  system.sink_heat = -system.body_work;
+  double const missing = system.kept_energy + system.energy_given() - total_energy(system);
   auto const heat = [&](std::size_t i) { return particles.T[i] / particles.caloric[i].inverse_C_0; };
   double const factor = missing / sum_over_particles(system, heat);
   for_each_range(system, [&](Range range) {
@@ -65,12 +68,17 @@ SubStep energy_restoration() {
 /// Fluctuation and dissipation, then conduction; the other way round in the second half of a symmetric step.
 std::vector<SubStep> exchange(Scheme const& scheme, System const& system, double dt, bool second) {
   auto const& pairs = pair_integrator(scheme.pairs);
+  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction);
   std::vector<SubStep> steps{fluctuation(pairs, dt, second)};
-  if (!std::holds_alternative<std::monostate>(system.conduction)) {
-    steps = {fluctuation(pairs, dt, second), temperatures(), conduction(pairs, dt, second)};
-    if (second)
-      std::ranges::reverse(steps);
+  if (conducts)
+    steps.insert(steps.end(), {temperatures(), conduction(pairs, dt, second)});
+  if (has_rough_walls(system)) {
+    if (conducts)
+      steps.push_back(temperatures());
+    steps.push_back(wall_friction(system, dt, second));
   }
+  if (second)
+    std::ranges::reverse(steps);
   if (scheme.keep_energy)
     steps.push_back(energy_restoration());
   if (system.has_energies())
@@ -104,6 +112,8 @@ std::vector<SubStep> sub_steps(Scheme const& scheme, System const& system, doubl
   if (strang)
     add(exchange(scheme, system, exchange_dt, false), {.every = n, .at = 0});
   add(conservative_integrator(scheme.conservative).steps(dt), {});
+  if (system.body_force.acts())
+    add({body_force(dt)}, {});
   add(exchange(scheme, system, exchange_dt, strang), {.every = n, .at = n - 1});
   return list;
 }

@@ -14,6 +14,9 @@ struct Checkpoint {
   PairCounts pair_counts, conduction_counts;
   /// Where there are walls: their time, and the impulse and work of each.
   std::vector<double> walls = {};
+  /// Where walls have friction or there is a body force: impulse (x, y, z) of the friction and heat of each
+  /// wall, the body force's work and the heat of its sink.
+  std::vector<double> flow = {};
 };
 
 } // namespace mesobridge::sdpd

@@ -17,6 +17,8 @@ struct Features {
   bool densities = true; ///< SDPD; without them temperatures average harmonically
   bool masses = false;   ///< several species: each particle has a mass of its own
   bool walls = false;    ///< the box has some
+  bool rough_walls = false; ///< with friction
+  bool body_force = false;
 };
 
 /// The particles as a structure of arrays in reduced units. The order in memory follows the cells and changes

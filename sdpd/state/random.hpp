@@ -44,8 +44,12 @@ enum class Stream : std::uint32_t {
   bath = 11,
   off_diagonal = 12, ///< of the matrix noise of the entropy form
   second_off_diagonal = 13,
-  species = 14, ///< which particles are of which
-  initial_sites = 15 ///< of particles that start anywhere
+  species = 14,       ///< which particles are of which
+  initial_sites = 15, ///< of particles that start anywhere
+  wall_friction = 20, ///< of the fluid with walls
+  second_wall_friction = 21,
+  wall_heat = 22,
+  second_wall_heat = 23
 };
 
 /// The streams of one noise: of the first sweep of a step and of the second, if there is one.
@@ -58,7 +62,9 @@ inline constexpr SweepStream fluctuation_noise{Stream::fluctuation, Stream::seco
     acceptance_noise{Stream::acceptance, Stream::second_acceptance},
     conduction_noise{Stream::conduction, Stream::second_conduction},
     conduction_acceptance_noise{Stream::conduction_acceptance, Stream::second_conduction_acceptance},
-    off_diagonal_noise{Stream::off_diagonal, Stream::second_off_diagonal};
+    off_diagonal_noise{Stream::off_diagonal, Stream::second_off_diagonal},
+    wall_friction_noise{Stream::wall_friction, Stream::second_wall_friction},
+    wall_heat_noise{Stream::wall_heat, Stream::second_wall_heat};
 
 /// Counter and key of the noise of one step: (seed, stream, step) are fixed, the two ids vary.
 struct NoiseSource {

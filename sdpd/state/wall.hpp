@@ -40,17 +40,29 @@ struct WallLayer {
   double position = 0;
 };
 
+/// What makes a wall rough: friction towards its velocity, with the noise of its temperature (sdpd/README.md,
+/// Eq. (S50)). In the units of its owner.
+struct WallFriction {
+  bool acts = false;
+  double temperature = 1; ///< of the wall, > 0
+  double strength = 1;    ///< factor of the coefficients of friction, > 0
+  Vec3 slide;             ///< velocity along the wall; its component along the normal is 0
+};
+
 /// A plane that mirrors the fluid (sdpd/README.md, Eq. (S40)): particles meet the images of themselves and of
-/// each other, at the same density, pressure and temperature. Without friction, and without heat: a wall that
-/// slips, and a piston. In reduced units.
+/// each other, at the same density, pressure and temperature. Without friction it slips, and takes no heat.
+/// In reduced units.
 struct Wall {
   int axis = 0;       ///< 0, 1, 2: its normal is x, y, z
   bool upper = false; ///< the fluid lies below it
   double start = 0;   ///< where it is as long as it has not moved
   WallMotion motion = {};
+  WallFriction friction = {};
   double force = 0;   ///< that it exerts along its normal, at the last evaluation of the forces
-  double impulse = 0; ///< that it has given to the fluid along its normal
-  double work = 0;    ///< that it has done on the fluid
+  double impulse = 0; ///< that its images have given to the fluid along its normal
+  double work = 0;    ///< that it has done on the fluid, by images and friction
+  Vec3 drag;          ///< impulse that its friction and noise have given to the fluid
+  double heat = 0;    ///< that has come from it into the fluid
   WallLayer layer = {};
 
   double position(double time) const { return start + motion.way_at(time); }

@@ -66,7 +66,7 @@ Amount energy(System const& system) {
     return {"the energy", {}};
   double const total = total_energy(system);
   double const size = std::abs(total) + std::abs(system.potential_energy) + size_of_internal_energies(system);
-  return {"the energy", {total}, round_off * size};
+  return {"the energy", {total - system.energy_given()}, round_off * size};
 }
 
 Amount amount(Conserved what, System const& system) {

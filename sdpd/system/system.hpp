@@ -3,6 +3,7 @@
 #include "sdpd/friction/list.hpp"
 #include "sdpd/neighbours/neighbours.hpp"
 #include "sdpd/potential/list.hpp"
+#include "sdpd/state/body_force.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/state/species.hpp"
 #include "sdpd/state/wall.hpp"
@@ -28,6 +29,7 @@ struct System {
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
   std::vector<Wall> walls; ///< at those faces of the box that have one
+  BodyForce body_force;
   Particles particles;
   double boltzmann;
   std::uint64_t seed;
@@ -35,7 +37,9 @@ struct System {
   std::uint64_t step = 0;           ///< steps done; part of the noise's counter
   double dt = 0;                    ///< time step under way, for messages
   double wall_time = 0;             ///< since the walls began to move
-  bool walls_held = false;          ///< they wait, and so does their time
+  bool walls_held = false;          ///< they wait, and so do their time and the body force
+  double body_work = 0;             ///< done on the fluid by the body force
+  double sink_heat = 0;             ///< given to the fluid where Scheme::keep_energy takes that work out
   double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
   std::uint64_t renewals = 0;       ///< of the lists, since the start
   PairCounts pair_counts;           ///< since the start
@@ -61,12 +65,19 @@ struct System {
   Vec3 wall_impulse() const {
     Vec3 sum;
     for (auto const& wall : walls)
-      component(sum, wall.axis) += wall.impulse;
+      component(sum, wall.axis) += wall.impulse, sum += wall.drag;
     return sum;
   }
   double wall_work() const {
     return std::accumulate(walls.begin(), walls.end(), 0.0,
                            [](double sum, Wall const& wall) { return sum + wall.work; });
+  }
+  /// What the fluid has got from outside: work and heat of its walls, work of the body force.
+  double energy_given() const {
+    double heat = 0;
+    for (auto const& wall : walls)
+      heat += wall.heat;
+    return wall_work() + heat + body_work + sink_heat;
   }
   /// Between the walls; that of the box where there are none.
   double volume() const {

@@ -7,7 +7,7 @@ using Reproduce = Reproduced(ReproduceOptions const&, Context const&);
 Reproduce reproduce_chapter_3, reproduce_figure_4_2, reproduce_figure_4_3, reproduce_figure_4_4,
     reproduce_figure_4_5, reproduce_figure_4_6, reproduce_figure_4_7, reproduce_figure_4_8,
     reproduce_figure_4_9, reproduce_table_4_1, reproduce_stability, reproduce_table_5_1,
-    reproduce_exact_solutions;
+    reproduce_exact_solutions, reproduce_viscosity;
 
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
@@ -25,6 +25,7 @@ std::vector<Reproduction> const& reproductions() {
       {"stability", "which schemes run where: time steps, sizes, extreme states", reproduce_stability},
       {"exact-solutions", "shock tubes without noise against exact solutions, over the resolution", reproduce_exact_solutions},
       {"table-5.1", "pressure, density, temperatures over the particle size", reproduce_table_5_1},
+      {"viscosity", "the viscosity that SDPD, DPD and DPDE have, beside the one asked for", reproduce_viscosity},
   };
   return list;
 }

@@ -4,6 +4,7 @@
 #include "sdpd/method/list.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/scene/box_checks.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/scene/region_checks.hpp"
@@ -29,12 +30,6 @@ bool is_built_in(std::string const& eos) {
 /// Whether a built-in model is in Lennard-Jones units.
 bool is_reduced(std::string const& eos) {
   return std::visit([](auto const& model) { return model.boltzmann() == 1; }, fitting::material(eos).eos);
-}
-
-template <class Value>
-void require_together(bool condition, Places const& places, std::string const& key, Value const& value,
-                      std::string const& what_is_allowed) {
-  require(condition, places.of(key) + ": " + key, value, what_is_allowed);
 }
 
 /// What a model asks of the scene, and of the size of its particles.
@@ -169,46 +164,6 @@ void check_scheme(Scene const& scene, Places const& places) {
   require_together(!why, places, "scheme.name", scheme.name, why.value_or(""));
   require_together(particles.energies || scheme.energy == "free", places, "scheme.energy", scheme.energy,
                    "the particles have no internal energies that could give or take energy");
-}
-
-/// The box is as large as its particles need, or holds as many as fit.
-void check_size(Scene const& scene, Places const& places) {
-  auto const& box = scene.box;
-  auto const N = scene.particles.N;
-  if (box.size.empty())
-    require_together(N > 0, places, "particles.N", N, "must be an integer >= 1, or give box.size");
-  else
-    require_together(N == 0 && box.lattice.empty(), places, N > 0 ? "particles.N" : "box.lattice",
-                     N > 0 ? N : std::int64_t(box.lattice.size()),
-                     "must not be given beside box.size, which says how many fit");
-}
-
-void check_box(Scene const& scene, Places const& places) {
-  check_size(scene, places);
-  auto const& box = scene.box;
-  if (!box.lattice.empty()) {
-    require_together(box.lattice.size() == 3, places, "box.lattice", box.lattice.size(),
-                     "numbers; must be 3: the particles along x, y and z");
-    double particles = 1;
-    for (auto const n : box.lattice)
-      particles *= static_cast<double>(n);
-    require_together(particles == static_cast<double>(scene.particles.N), places, "box.lattice", particles,
-                     fmt::format("particles in all; must be particles.N = {}", scene.particles.N));
-  }
-  int walled = 0;
-  for (auto const* face : {&box.x, &box.y, &box.z})
-    walled += *face == "walls";
-  if (walled > 1)
-    throw InputError(
-        fmt::format("{}: walls across {} axes: must be one, since particles in a corner would need the "
-                    "images of images",
-                    places.of("box.z"), walled));
-  if (box.piston)
-    require_together(walled == 1, places, "box.piston", *box.piston,
-                     "needs a wall to move: give box.x, box.y or box.z = \"walls\"");
-  if (box.ramp)
-    require_together(box.piston.has_value(), places, "box.ramp", *box.ramp,
-                     "needs box.piston, whose start it is");
 }
 
 /// The quantities that the scene names must be its method's, and there must be some.

@@ -1,4 +1,5 @@
 #pragma once
+#include "md/error.hpp"
 #include "workflows/scene/scene.hpp"
 #include <map>
 #include <string>
@@ -24,6 +25,13 @@ class Places {
   std::string file_;
   std::map<std::string, std::string> places_;
 };
+
+/// Throws InputError that names the place, the key and its value, unless the condition holds.
+template <class Value>
+void require_together(bool condition, Places const& places, std::string const& key, Value const& value,
+                      std::string const& what_is_allowed) {
+  require(condition, places.of(key) + ": " + key, value, what_is_allowed);
+}
 
 /// Where a key ("run.steps") of a scene file stands: "scene.toml:7", "--set", or the file when it has none.
 std::string place_of(std::filesystem::path const& file, std::vector<std::string> const& overrides,

@@ -32,6 +32,8 @@ std::string type_name(SceneKey const& key) {
 sdpd::Features Scene::features() const {
   auto features = sdpd::method_named(method.name).features;
   features.walls = box.x == "walls" || box.y == "walls" || box.z == "walls";
+  features.rough_walls = features.walls && box.slip == "none";
+  features.body_force = box.body_force.value_or(0) != 0;
   return features;
 }
 

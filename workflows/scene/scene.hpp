@@ -88,6 +88,10 @@ struct Scene {
     std::vector<double> size;          ///< edges, in place of N
     std::string x = "periodic", y = "periodic", z = "periodic";
     std::optional<double> piston, ramp; ///< velocity of the lower wall, and the time until it has it
+    std::string slip = "free";
+    std::optional<double> wall_temperature, wall_friction, slide, body_force;
+    std::int64_t waves = 0;          ///< of the body force, in the length of the box
+    std::optional<std::string> flow; ///< the axis along which the upper wall slides and the body force acts
     bool operator==(Box const&) const = default;
   } box;
   struct Region { ///< a part of the box that starts otherwise than [fluid] says

@@ -88,6 +88,8 @@ class Reader {
 
   /// Impulse and work of the lower and the upper wall, and their time, where there are walls.
   std::vector<double> walls() const { return doubles_if_there("walls", 5); }
+  /// Drag and heat of both walls, where there are any, and the body force's work and sink.
+  std::vector<double> flow() const { return doubles_if_there("flow", store_.contains("walls") ? 10 : 2); }
 
   std::string scene() const { return store_.read_text("scene"); }
   std::vector<InputFile> inputs() const { return read_inputs(store_); }
@@ -161,6 +163,8 @@ void write_datasets(Store& store, sdpd::Checkpoint const& c, Provenance const& p
   store.write("conduction_counts", integers(c.conduction_counts));
   if (!c.walls.empty())
     store.write("walls", c.walls);
+  if (!c.flow.empty())
+    store.write("flow", c.flow);
   store.write("equilibration", std::array{static_cast<double>(equilibration.done), equilibration.sum_T_kin,
                                           equilibration.sum_T_int});
   write_provenance(store, provenance);
@@ -184,7 +188,8 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .kept_energy = reader.doubles("kept_energy", 1)[0],
                          .pair_counts = reader.pair_counts("pair_counts"),
                          .conduction_counts = reader.pair_counts("conduction_counts"),
-                         .walls = reader.walls()},
+                         .walls = reader.walls(),
+                         .flow = reader.flow()},
           .scene = reader.scene(),
           .inputs = reader.inputs(),
           .equilibration = reader.equilibration(),

@@ -3,6 +3,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
+#include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_report.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -204,6 +205,8 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
   if (auto const problem = riemann_problem(run.scene, run.settings))
     if (auto const found = compare(*problem, Store(run_file, Store::Mode::read), run.scene, units))
       report.sections.push_back(riemann_section(*found, units));
+  if (auto const flow = flow_of(Store(run_file, Store::Mode::read), run.scene, run.settings))
+    report.sections.push_back(flow_section(*flow, run));
   if (!is_driven(run.scene))
     report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -76,6 +77,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   if (auto const problem = riemann_problem(scene, settings))
     if (auto const found = compare(*problem, file.store(), scene, units))
       put_riemann(json, *problem, *found, units);
+  if (auto const flow = flow_of(file.store(), scene, settings))
+    put_flow(json, *flow, units);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

@@ -40,6 +40,17 @@ std::string shock_text(Json const& summary, OutputUnits const& units, bool si) {
   return text.empty() ? "" : "the shock, and the state behind it:\n" + text;
 }
 
+/// The viscosity and the slip of a flow, by its summary; nothing where there are none.
+std::string flow_text(Json const& summary, OutputUnits const& units, bool si) {
+  std::string text;
+  for (auto const& [name, key, unit] :
+       {std::tuple("eta", std::string(si ? "viscosity_Pa_s" : "viscosity"), "Pa s"),
+        {"slip", "slip_length" + units.length_key, "m"}})
+    if (summary.contains(key))
+      text += line(name, {summary[key].get<double>(), summary[key + "_se"].get<double>(), 1}, 1, si ? unit : "");
+  return text.empty() ? "" : "the flow, viscosity and slip length:\n" + text;
+}
+
 } // namespace
 
 std::string run_text(RunResult const& result) {
@@ -63,7 +74,7 @@ std::string run_text(RunResult const& result) {
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",
                  "of the total energy, relative");
   }
-  return text + shock_text(result.summary, units, si);
+  return text + shock_text(result.summary, units, si) + flow_text(result.summary, units, si);
 }
 
 } // namespace mesobridge::workflows

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/settings.hpp"
 #include "fitting/model_file.hpp"
+#include "sdpd/method/mean_field_viscosity.hpp"
 #include "workflows/processors.hpp"
 #include "workflows/sdpd/layout_of.hpp"
 #include "workflows/sdpd/method_of.hpp"
@@ -62,6 +63,15 @@ sdpd::DensityCorrection density_correction_of(Scene const& scene) {
   return {};
 }
 
+FlowAxes flow_axes(Scene const& scene) {
+  auto const& box = scene.box;
+  int const along = box.flow ? box.flow->front() - 'x' : box.x == "periodic" ? 0 : 1;
+  for (auto const& [axis, kind] : {std::pair(0, box.x), {1, box.y}, {2, box.z}})
+    if (kind == "walls")
+      return {along, axis};
+  return {along, along == 2 ? 0 : 2};
+}
+
 double neighbours_of(double h_factor) {
   return 4 * std::numbers::pi / 3 * std::pow(h_factor, 3);
 }
@@ -103,7 +113,25 @@ sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& setting
     for (auto& [lower, upper] : faces)
       if (lower.kind == sdpd::FaceKind::wall)
         lower.motion = {*box.piston, box.ramp ? *box.ramp : usual_ramp(settings, *box.piston)};
+  double const friction = box.slip != "none" ? 1
+                          : box.wall_friction ? *box.wall_friction
+                                              : sdpd::usual_wall_friction(settings);
+  if (box.slip == "none")
+    for (auto& [lower, upper] : faces)
+      for (auto* face : {&lower, &upper})
+        if (face->kind == sdpd::FaceKind::wall) {
+          face->friction = {true, box.wall_temperature.value_or(scene.fluid.T), friction};
+          if (face == &upper && box.slide)
+            component(face->friction.slide, flow_axes(scene).along) = *box.slide;
+        }
   return faces;
+}
+
+sdpd::BodyForce body_force_of(Scene const& scene) {
+  auto const [along, across] = flow_axes(scene);
+  sdpd::BodyForce force{.acceleration = {}, .across = across, .waves = static_cast<int>(scene.box.waves)};
+  component(force.acceleration, along) = scene.box.body_force.value_or(0);
+  return force;
 }
 
 } // namespace
@@ -127,6 +155,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
   settings.faces = faces_of(scene, settings);
   if (has_layout(scene))
     lay_out(scene, settings);
+  settings.body_force = body_force_of(scene);
   return settings;
 }
 

@@ -17,6 +17,12 @@ fitting::AnyEos eos_of(Scene const& scene);
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
 
+/// Along which axis a flow goes, and across which it varies: that of the walls, or of a body force's waves.
+struct FlowAxes {
+  int along, across; ///< 0, 1, 2
+};
+FlowAxes flow_axes(Scene const& scene);
+
 /// Mean number of particles within the kernel's support, the particle itself with them.
 double neighbours_of(double h_factor);
 

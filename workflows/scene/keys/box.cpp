@@ -43,6 +43,39 @@ std::vector<SceneKey> box_keys() {
           "which is the default for sdpd; 0 for dpde and dpd")
           .quantity(Dimension::time, not_negative)
           .written_if(is_not_plain),
+      box("slip", &Scene::Box::slip,
+          "\"none\": walls with the friction of the fluid, and the noise of their temperature; \"free\": mirrors "
+          "alone, which take no heat")
+          .choices({"free", "none"})
+          .written_if(is_not_plain),
+      box("wall_temperature", &Scene::Box::wall_temperature,
+          "of walls with slip = \"none\"; that of the fluid, if not given")
+          .quantity(Dimension::temperature, positive)
+          .written_if(is_not_plain),
+      box("wall_friction", &Scene::Box::wall_friction,
+          "factor of the friction with walls of slip = \"none\"; if not given, one that makes up for what moving "
+          "particles carry: 1 for viscous fluids, more where they fly far")
+          .in(positive)
+          .written_if(is_not_plain),
+      box("slide", &Scene::Box::slide,
+          "velocity of the upper wall along the flow, with slip = \"none\", after the equilibration: Couette's "
+          "flow")
+          .quantity(Dimension::velocity, any_number)
+          .written_if(is_not_plain),
+      box("body_force", &Scene::Box::body_force,
+          "acceleration of all particles along the flow, after the equilibration: between walls Poiseuille's "
+          "flow. Without walls to take the heat, sdpd and dpde need energy = \"kept\", which does")
+          .quantity(Dimension::acceleration, any_number)
+          .written_if(is_not_plain),
+      box("waves", &Scene::Box::waves,
+          "of the body force, which goes as a cosine along z (along x if the flow is along z), in the length of "
+          "a periodic box; 0: it is the same everywhere")
+          .in({.min = 0, .max = 100})
+          .written_if(is_not_plain),
+      box("flow", &Scene::Box::flow,
+          "the axis of slide and body_force; x, or y where the walls are across x, if not given")
+          .choices({"x", "y", "z"})
+          .written_if(is_not_plain),
   };
 }
 
