@@ -1,3 +1,4 @@
+#include "program.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/process.hpp"
@@ -77,6 +78,25 @@ TEST(BenchEngine, TimesDpdAndDpde) {
     EXPECT_EQ(json["method"], method);
     EXPECT_NEAR(json["neighbours"].get<double>(), 20, 3);
   }
+}
+
+TEST(BenchEngine, TimesWallsOpenFacesAndVacuumBesideThePeriodicBox) {
+  auto const result = tests::program({"bench", "engine", "--faces", "--side", "8", "--along", "16", "--steps",
+                                      "2", "--repeats", "3", "--threads", "1", "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const rows = Json::parse(result.output)["faces"];
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0]["ratio"], 1.0);
+  int timed = 0;
+  for (auto const& row : rows) {
+    EXPECT_GT(row["us_per_particle_step"].get<double>(), 0) << row;
+    EXPECT_GT(row["ratio"].get<double>(), 0.1) << row;
+    ++timed;
+  }
+  EXPECT_EQ(timed, 4);
+  // Who stands at a face has fewer neighbours; the box's emptiness changes nothing.
+  EXPECT_LT(rows[2]["neighbours"].get<double>(), rows[0]["neighbours"].get<double>());
+  EXPECT_NEAR(rows[2]["neighbours"].get<double>() / rows[3]["neighbours"].get<double>(), 1, 1e-3);
 }
 
 } // namespace
