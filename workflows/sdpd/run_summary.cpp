@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/measured_series.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/summary.hpp"
@@ -72,6 +73,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   put_measured(json, file, scene, units);
   if (auto const shock = shock_of(file.store(), scene, settings))
     put_shock(json, *shock, units);
+  if (auto const shock = shock_before_piston(settings))
+    json["Re_l"] = front_reynolds_number(settings, *shock);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

@@ -41,13 +41,17 @@ std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
   return frames;
 }
 
-/// Nothing where the model has no such shock, too: the run stands for itself.
-std::optional<fitting::Shock> rankine_hugoniot(sdpd::SimulationSettings const& settings, double v_P) {
-  try {
-    return piston_shock(settings, v_P);
-  } catch (PhysicsError const&) {
-    return std::nullopt;
-  }
+/// The same frames with the mass per volume of the slices in place of the particles' densities.
+std::vector<sdpd::ShockFrame> with_mass_per_volume(std::vector<sdpd::ShockFrame> frames, Store const& store,
+                                                   sdpd::SimulationSettings const& settings,
+                                                   std::size_t slices, double density) {
+  auto const number = store.read_integers("profile/number");
+  auto const& n = settings.lattice;
+  double const everywhere = double(n[0]) * n[1] * n[2] / static_cast<double>(slices);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    for (std::size_t s = 0; s < slices; ++s)
+      frames[k].rho[s] = density * static_cast<double>(number[k * slices + s]) / everywhere;
+  return frames;
 }
 
 /// Means over the frames at equal distances from the front, with the spread of the frames as their error.
@@ -98,11 +102,16 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
   if (!steady)
     return std::nullopt;
   ShockOfRun shock{.measured = *steady,
-                   .exact = rankine_hugoniot(settings, v_P),
+                   .mass_per_volume = {},
+                   .exact = shock_before_piston(settings),
                    .depth = {},
                    .rho = {},
                    .P = {},
                    .T = {}};
+  shock.mass_per_volume =
+      sdpd::steady_shock(
+          with_mass_per_volume(frames, store, settings, scale.position.size(), scene.fluid.rho), scale)
+          ->rho;
   average_in_frame(shock, frames, scale.position, spacing);
   return shock;
 }
@@ -111,6 +120,7 @@ void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units) {
   auto const& [v_S, rho, P, T, times, fronts, first] = shock.measured;
   put(json, "shock_v_S" + units.velocity_key, v_S);
   put(json, "plateau_rho" + units.density_key, rho);
+  put(json, "plateau_mass_per_volume" + units.density_key, shock.mass_per_volume);
   put(json, "plateau_P" + units.pressure_key, P);
   put(json, "plateau_T" + units.temperature_key, T);
   if (shock.exact)
@@ -170,6 +180,8 @@ Section shock_section(ShockOfRun const& shock, RunResult const& run) {
   };
   add("velocity of the shock", "m/s", shock.measured.v_S, [](auto const& of) { return of.v_S; });
   add("density behind it", "kg/m^3", shock.measured.rho, [](auto const& of) { return of.behind.rho; });
+  add("mass per volume behind it", "kg/m^3", shock.mass_per_volume,
+      [](auto const& of) { return of.behind.rho; });
   add("pressure", "Pa", shock.measured.P, [](auto const& of) { return of.behind.P; });
   add("temperature", "K", shock.measured.T, [](auto const& of) { return of.behind.T; });
   using Levels = std::optional<std::pair<double, double>>;

@@ -10,6 +10,7 @@ namespace mesobridge::workflows {
 /// What a piston's run shows of its shock, by its profiles along the piston's way; in the scene's units.
 struct ShockOfRun {
   sdpd::SteadyShock measured;
+  cg::Estimate mass_per_volume; ///< on the plateau, where `measured` has the mean of the particles' densities
   std::optional<fitting::Shock>
       exact;                 ///< by the relations of Rankine and Hugoniot of the scene's equation of state
   std::vector<double> depth; ///< distance from the front of the means over all frames, < 0 behind it
