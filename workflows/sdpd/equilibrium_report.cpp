@@ -193,7 +193,7 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .sources = sources_of(run)};
   auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
   if (shock)
-    report.sections.push_back(shock_section(*shock, run));
+    report.sections.push_back(shock_section(*shock, OutputUnits(run.settings.units(), run.scene.units)));
   if (!is_driven(run.scene))
     report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));
