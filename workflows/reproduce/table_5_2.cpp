@@ -153,7 +153,8 @@ Figure front_figure(std::string const& name, std::vector<ShockRow> const& rows, 
 std::string lead_of(std::vector<NamedShock> const& exact) {
   return fmt::format("Argon of 1150 kg/m^3 and 500 K before a piston at 500 m/s, ours beside the thesis's "
                      "Table 5.2. Its walls "
-                     "are layers of fixed particles, ours mirrors whose piston is ramped over 8 l/v_S. The "
+                     "are layers of fixed particles, ours mirrors whose piston is ramped over 8 l/v_S (with "
+                     "plain densities, as in the thesis, it starts at once). The "
                      "equations of state "
                      "do not agree: the BWR of 1993, which the particles have, is extrapolated above T* = 6 "
                      "and says {:.1f} K "

@@ -137,9 +137,11 @@ Scene piston_scene(PistonScene const& wanted) {
   scene.particles.N = wanted.lattice[0] * wanted.lattice[1] * wanted.lattice[2];
   if (wanted.eos == "ideal-gas")
     scene.fluid.m0 = 1e-25;
-  if (wanted.as_in_the_thesis)
-    scene.particles.kernel = "cubic", scene.particles.density = "plain", scene.fluid.centre_of_mass = "bulk",
-    scene.box.ramp = 0;
+  if (wanted.as_in_the_thesis) {
+    scene.particles.kernel = "cubic", scene.particles.density = "plain", scene.box.ramp = 0;
+    if (wanted.eos != "ideal-gas") // whose particles the thesis gives 3/2 (K-1) k_B: free of their own motion
+      scene.fluid.centre_of_mass = "bulk";
+  }
   scene.box.lattice = {wanted.lattice.begin(), wanted.lattice.end()};
   scene.box.z = "walls", scene.box.piston = wanted.v_P;
   scene.transport.eta = wanted.eta;

@@ -36,7 +36,7 @@ struct PistonScene {
   std::array<std::int64_t, 3> lattice;
   std::int64_t equilibrate; ///< steps
   std::uint64_t seed;
-  bool as_in_the_thesis = false; ///< cubic kernel, plain sums, bulk equation of state, no ramp
+  bool as_in_the_thesis = false; ///< cubic kernel, plain sums, no ramp; argon: bulk equation of state
 };
 Scene piston_scene(PistonScene const& wanted);
 

@@ -89,8 +89,7 @@ TEST(FrontPlot, IsInTheParticlesUnitOrInNanometres) {
   ASSERT_EQ(in_nm.panels[0].series.size(), 2u);
   EXPECT_NEAR(in_nm.panels[0].series[0].x[0], -2, 1e-12);
   EXPECT_NEAR(in_spacings.panels[0].series[0].x[0], -2 / 1.8, 1e-12);
-  // The steepest slope of the Navier-Stokes front is where both say so, in units of their own.
-  EXPECT_NEAR(in_spacings.panels[0].series[1].x.size() > 10, 1, 0);
+  EXPECT_GT(in_spacings.panels[0].series[1].x.size(), 10u); // Navier-Stokes
 }
 
 } // namespace
