@@ -124,7 +124,11 @@ Reproduced reproduce(std::string const& title, bool with_ssa, ReproduceOptions c
                  shown(finished), exact, printed,
                  "rho: mean of the particles' densities, as printed; mass/volume: what the slices hold. "
                  "R.-H.: by the relations of Rankine and Hugoniot."),
-             Paragraph{printed.source}}},
+             Paragraph{printed.source},
+             Paragraph{"Constants of the densities that were found at rest do not hold at 3.5 times the "
+                       "density: behind the front the particles' densities stand above the mass per volume, "
+                       "and with them the means of their pressures above that of the momentum that the front "
+                       "carries, P_0 + rho_0 v_S v_P."}}},
            {"Figure 4.10",
             {Figure{{draw_svg(front_plot("front", "Density in the frame of the front", shown(finished),
                                          profile, exact.front().shock, rows.front().spacing))},
