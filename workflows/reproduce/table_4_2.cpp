@@ -52,9 +52,11 @@ std::vector<ShockCase> cases_of(ReproduceOptions const& options, bool with_ssa) 
       cases.push_back(case_of(scheme, dt, as_in_the_thesis, options));
   if (with_ssa) {
     cases.push_back(case_of("ssa", dt, true, options));
-    auto const steps = cases.back().scene.run.steps;
+    auto const like = cases.back().scene;
     cases.push_back(case_of("ssa", smallest, true, options));
-    cases.back().scene.run.steps = steps; // failures are said to come early
+    auto& scene = cases.back().scene; // of as many steps: failures are said to come early
+    scene.run.steps = like.run.steps, scene.run.sample_every = like.run.sample_every;
+    scene.profile.every = like.profile.every;
   }
   return cases;
 }
