@@ -9,6 +9,7 @@ namespace mesobridge::workflows {
 Command::Action md_lj_grid_command(CLI::App&);
 Command::Action md_metal_grid_command(CLI::App&);
 Command::Action md_hugoniot_command(CLI::App&);
+Command::Action md_piston_shock_command(CLI::App&);
 Command::Action md_star_melt_command(CLI::App&);
 Command::Action md_star_vacuum_command(CLI::App&);
 Command::Action cg_state_grid_command(CLI::App&);
@@ -54,6 +55,10 @@ std::vector<Command> commands() {
        .summary = "Shocked states of a metal (v_S, v_P, P, T, e) from equilibrium MD, with errors",
        .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
        .declare = md_hugoniot_command},
+      {.name = "md piston-shock",
+       .summary = "A piston that drives a shock into Lennard-Jones argon, with LAMMPS",
+       .example = "mesobridge md piston-shock --rho0 1150 --T0 500 --vp 500 -o out/md-shock",
+       .declare = md_piston_shock_command},
       {.name = "md star-melt",
        .summary = "Melt of star polymers with LAMMPS; blobs are measured while it runs",
        .example = "mesobridge md star-melt --preset quick -o out/melt",

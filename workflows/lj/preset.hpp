@@ -9,4 +9,9 @@ inline md::Preset preset_of(std::string_view name) {
   return name == "quick" ? md::Preset::quick : name == "standard" ? md::Preset::standard : md::Preset::paper;
 }
 
+/// And its name.
+inline char const* name_of(md::Preset preset) {
+  return preset == md::Preset::quick ? "quick" : preset == md::Preset::standard ? "standard" : "paper";
+}
+
 } // namespace mesobridge::workflows

@@ -6,7 +6,8 @@ namespace mesobridge::workflows {
 using Reproduce = Reproduced(ReproduceOptions const&, Context const&);
 Reproduce reproduce_chapter_3, reproduce_figure_4_2, reproduce_figure_4_3, reproduce_figure_4_4,
     reproduce_figure_4_5, reproduce_figure_4_6, reproduce_figure_4_7, reproduce_figure_4_8,
-    reproduce_figure_4_9, reproduce_table_4_1, reproduce_stability, reproduce_table_5_1,
+    reproduce_figure_4_9, reproduce_table_4_1, reproduce_table_4_2, reproduce_figure_4_10,
+    reproduce_stability, reproduce_table_5_1, reproduce_table_5_2, reproduce_figure_5_5, reproduce_figure_5_6,
     reproduce_exact_solutions, reproduce_viscosity;
 
 // clang-format off
@@ -22,10 +23,15 @@ std::vector<Reproduction> const& reproductions() {
       {"figure-4.8", "energy drift of EMS, AMS and SSA, K = 5", reproduce_figure_4_8},
       {"figure-4.9", "energy drift with multiple time steps", reproduce_figure_4_9},
       {"table-4.1", "time per particle and step of the schemes", reproduce_table_4_1},
+      {"table-4.2", "a shock in an ideal gas by EMS and AMS; where SSA fails", reproduce_table_4_2},
+      {"figure-4.10", "its density through the front", reproduce_figure_4_10},
       {"stability", "which schemes run where: time steps, sizes, extreme states", reproduce_stability},
       {"exact-solutions", "shock tubes without noise against exact solutions, over the resolution", reproduce_exact_solutions},
       {"table-5.1", "pressure, density, temperatures over the particle size", reproduce_table_5_1},
       {"viscosity", "the viscosity that SDPD, DPD and DPDE have, beside the one asked for", reproduce_viscosity},
+      {"table-5.2", "a shock in argon over the particle size, three equations of state", reproduce_table_5_2},
+      {"figure-5.5", "its density through the front, eta = 1e-4 Pa s", reproduce_figure_5_5},
+      {"figure-5.6", "its density through the front, eta = 2e-3 Pa s", reproduce_figure_5_6},
   };
   return list;
 }

@@ -196,7 +196,7 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .sources = sources_of(run)};
   auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
   if (shock)
-    report.sections.push_back(shock_section(*shock, run));
+    report.sections.push_back(shock_section(*shock, units));
   if (run.settings.layout)
     report.sections.push_back({"Start",
                                {drawn({start_picture(run.scene, run.settings)},

@@ -12,4 +12,21 @@ std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& setti
   return fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(v_P);
 }
 
+std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings) {
+  for (auto const& [lower, upper] : settings.faces)
+    if (lower.motion.velocity > 0)
+      try {
+        return piston_shock(settings, lower.motion.velocity);
+      } catch (PhysicsError const&) {
+        return std::nullopt;
+      }
+  return std::nullopt;
+}
+
+double front_reynolds_number(sdpd::SimulationSettings const& settings, fitting::Shock const& shock) {
+  auto const& fluid = settings.as<sdpd::Sdpd>();
+  return shock.ahead.rho * shock.v_S * settings.spacing() * settings.units().length() /
+         (4 * fluid.eta / 3 + fluid.zeta);
+}
+
 } // namespace mesobridge::workflows

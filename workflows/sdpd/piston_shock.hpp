@@ -10,4 +10,14 @@ namespace mesobridge::workflows {
 /// PhysicsError where the model has no such shock.
 std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& settings, double v_P);
 
+/// The same before the piston of the settings; nothing where none moves into the fluid, and where the model
+/// has no such shock.
+std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings);
+
+/// Re_l = rho_0 v_S l/(4 eta/3 + zeta) of a shock in SDPD with the settings, whose viscosity is not zero; l
+/// is the mean distance between particles. Above smooth_front the state behind the front ripples
+/// (sdpd/README.md, Eq. (S43)).
+double front_reynolds_number(sdpd::SimulationSettings const& settings, fitting::Shock const& shock);
+inline constexpr double smooth_front = 2;
+
 } // namespace mesobridge::workflows

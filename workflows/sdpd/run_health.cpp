@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "fitting/valid_range.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include <fmt/ranges.h>
 #include <numbers>
 
@@ -12,6 +13,26 @@ constexpr double least_neighbours = 1;
 
 double neighbours_in_range(sdpd::SimulationSettings const& settings) {
   return 4 * std::numbers::pi / 3 * std::pow(settings.range() / settings.spacing(), 3);
+}
+
+/// Says so where the state behind a piston's shock will ripple.
+std::optional<sdpd::Finding> ripples(sdpd::SimulationSettings const& settings) {
+  auto const shock = shock_before_piston(settings);
+  if (!shock)
+    return std::nullopt;
+  double const Re = front_reynolds_number(settings, *shock);
+  if (Re <= smooth_front)
+    return std::nullopt;
+  double const viscosity =
+      shock->ahead.rho * shock->v_S * settings.spacing() * settings.units().length() / smooth_front;
+  return sdpd::Finding{
+      "ripples", false,
+      fmt::format(
+          "the shock before the piston has Re_l = rho_0 v_S l/(4 eta/3 + zeta) = {:.3g}, l the mean "
+          "distance between particles: above {:g} the state behind the front ripples, while its means "
+          "over many particles stay right; for smooth profiles take transport.eta >= {:.2g}, or "
+          "smaller particles",
+          Re, smooth_front, 0.75 * viscosity)};
 }
 
 } // namespace
@@ -57,6 +78,8 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
              "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
              "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
              neighbours, settings.rho)});
+  if (auto const doubt = ripples(settings))
+    doubts.push_back(*doubt);
   return doubts;
 }
 

@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shock.hpp"
@@ -79,6 +80,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
       put_riemann(json, *problem, *found, units);
   if (auto const flow = flow_of(file.store(), scene, settings))
     put_flow(json, *flow, units);
+  if (auto const shock = shock_before_piston(settings))
+    json["Re_l"] = front_reynolds_number(settings, *shock);
   put_rejections(json, "rejected", simulation.pair_counts());
   if (settings.conducts())
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());

@@ -31,13 +31,22 @@ std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
   return frames;
 }
 
-/// Nothing where the model has no such shock, too: the run stands for itself.
-std::optional<fitting::Shock> rankine_hugoniot(sdpd::SimulationSettings const& settings, double v_P) {
-  try {
-    return piston_shock(settings, v_P);
-  } catch (PhysicsError const&) {
-    return std::nullopt;
+/// The same frames with the mass per volume of the slices in place of the particles' densities, and the
+/// temperatures of the particles' motion in place of the internal ones.
+std::vector<sdpd::ShockFrame> by_motion(std::vector<sdpd::ShockFrame> frames, Store const& store,
+                                        Scene const& scene, sdpd::SimulationSettings const& settings) {
+  OutputUnits const units(settings.units(), scene.units);
+  std::size_t const slices = frames.front().rho.size();
+  auto const number = store.read_integers("profile/number");
+  auto T = rows_of(store, "T_kin" + units.temperature_key, slices);
+  auto const& n = settings.lattice;
+  double const everywhere = double(n[0]) * n[1] * n[2] / static_cast<double>(slices);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    for (std::size_t s = 0; s < slices; ++s)
+      frames[k].rho[s] = scene.fluid.rho * static_cast<double>(number[k * slices + s]) / everywhere;
+    frames[k].T = std::move(T[k]);
   }
+  return frames;
 }
 
 /// Means over the frames at equal distances from the front, with the spread of the frames as their error.
@@ -71,29 +80,43 @@ void average_in_frame(ShockOfRun& shock, std::vector<sdpd::ShockFrame> const& fr
 
 } // namespace
 
+std::optional<ShockOfRun> shock_in(std::vector<sdpd::ShockFrame> const& frames,
+                                   sdpd::ShockScale const& scale) {
+  auto const steady = sdpd::steady_shock(frames, scale);
+  if (!steady)
+    return std::nullopt;
+  ShockOfRun shock{.measured = *steady,
+                   .mass_per_volume = steady->rho,
+                   .T_kin = steady->T,
+                   .exact = std::nullopt,
+                   .depth = {},
+                   .rho = {},
+                   .P = {},
+                   .T = {}};
+  average_in_frame(shock, frames, scale.position, scale.spacing);
+  return shock;
+}
+
 std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
                                    sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
   bool const along = scene.profile.axis[0] - 'x' == walled_axis(scene);
   if (!scene.box.piston || *scene.box.piston <= 0 || !along || scene.profile.every == 0)
     return std::nullopt;
-  for (auto const& name : {"velocity" + units.velocity_key, "rho" + units.density_key,
-                           "P" + units.pressure_key, "T_int" + units.temperature_key})
+  for (auto const& name :
+       {"velocity" + units.velocity_key, "rho" + units.density_key, "P" + units.pressure_key,
+        "T_int" + units.temperature_key, "T_kin" + units.temperature_key})
     if (!store.contains("profile/" + name))
       return std::nullopt;
   double const v_P = *scene.box.piston, spacing = settings.spacing() * units.length;
   sdpd::ShockScale const scale{store.read_doubles("profile/position" + units.length_key), v_P, spacing};
   auto const frames = frames_of(store, scene, settings, scale.position.size());
-  auto const steady = sdpd::steady_shock(frames, scale);
-  if (!steady)
+  auto shock = shock_in(frames, scale);
+  if (!shock)
     return std::nullopt;
-  ShockOfRun shock{.measured = *steady,
-                   .exact = rankine_hugoniot(settings, v_P),
-                   .depth = {},
-                   .rho = {},
-                   .P = {},
-                   .T = {}};
-  average_in_frame(shock, frames, scale.position, spacing);
+  shock->exact = shock_before_piston(settings);
+  auto const motion = sdpd::steady_shock(by_motion(frames, store, scene, settings), scale);
+  shock->mass_per_volume = motion->rho, shock->T_kin = motion->T;
   return shock;
 }
 
@@ -101,8 +124,10 @@ void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units) {
   auto const& [v_S, rho, P, T, times, fronts, first] = shock.measured;
   put(json, "shock_v_S" + units.velocity_key, v_S);
   put(json, "plateau_rho" + units.density_key, rho);
+  put(json, "plateau_mass_per_volume" + units.density_key, shock.mass_per_volume);
   put(json, "plateau_P" + units.pressure_key, P);
   put(json, "plateau_T" + units.temperature_key, T);
+  put(json, "plateau_T_kin" + units.temperature_key, shock.T_kin);
   if (shock.exact)
     json["rankine_hugoniot"] = {{"v_S" + units.velocity_key, shock.exact->v_S},
                                 {"rho" + units.density_key, shock.exact->behind.rho},
@@ -144,9 +169,8 @@ Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
 
 } // namespace
 
-Section shock_section(ShockOfRun const& shock, RunResult const& run) {
-  OutputUnits const units(run.settings.units(), run.scene.units);
-  bool const si = run.scene.units == UnitSystem::SI;
+Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
+  bool const si = !units.length_key.empty();
   Table table{.header = comparison_header(),
               .rows = {},
               .caption =
@@ -160,8 +184,11 @@ Section shock_section(ShockOfRun const& shock, RunResult const& run) {
   };
   add("velocity of the shock", "m/s", shock.measured.v_S, [](auto const& of) { return of.v_S; });
   add("density behind it", "kg/m^3", shock.measured.rho, [](auto const& of) { return of.behind.rho; });
+  add("mass per volume behind it", "kg/m^3", shock.mass_per_volume,
+      [](auto const& of) { return of.behind.rho; });
   add("pressure", "Pa", shock.measured.P, [](auto const& of) { return of.behind.P; });
   add("temperature", "K", shock.measured.T, [](auto const& of) { return of.behind.T; });
+  add("temperature of the particles' motion", "K", shock.T_kin, [](auto const& of) { return of.behind.T; });
   using Levels = std::optional<std::pair<double, double>>;
   auto const levels = [&](auto member) {
     return shock.exact ? Levels(std::pair(shock.exact->ahead.*member, shock.exact->behind.*member))

@@ -10,14 +10,21 @@ namespace mesobridge::workflows {
 /// What a piston's run shows of its shock, by its profiles along the piston's way; in the scene's units.
 struct ShockOfRun {
   sdpd::SteadyShock measured;
+  cg::Estimate mass_per_volume; ///< on the plateau, where `measured` has the mean of the particles' densities
+  cg::Estimate T_kin;           ///< on the plateau, of the motion about the slices' velocities
   std::optional<fitting::Shock>
       exact;                 ///< by the relations of Rankine and Hugoniot of the scene's equation of state
   std::vector<double> depth; ///< distance from the front of the means over all frames, < 0 behind it
   std::vector<cg::Estimate> rho, P, T;
 };
 
-/// Nothing where there is no piston, no profile of velocity, rho, T_int and P along its way, or no steady
-/// shock.
+/// The shock in some frames, in their units, without `exact`; its mass per volume is the frames' rho and
+/// T_kin their T. Nothing where it is not steady for long enough.
+std::optional<ShockOfRun> shock_in(std::vector<sdpd::ShockFrame> const& frames,
+                                   sdpd::ShockScale const& scale);
+
+/// Nothing where there is no piston, no profile of velocity, rho, T_int, T_kin and P along its way, or no
+/// steady shock.
 std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
                                    sdpd::SimulationSettings const& settings);
 
@@ -25,6 +32,6 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
 void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units);
 
 /// A table beside Rankine and Hugoniot's, the way of the front, and the profiles in its frame.
-Section shock_section(ShockOfRun const& shock, RunResult const& run);
+Section shock_section(ShockOfRun const& shock, OutputUnits const& units);
 
 } // namespace mesobridge::workflows

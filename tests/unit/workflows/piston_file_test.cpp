@@ -1,0 +1,64 @@
+#include "md/units.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/lj/piston_file.hpp"
+#include "workflows/lj/sample_piston.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+md::LjPistonSettings settings() {
+  auto settings = argon_piston(md::Preset::quick, 1150, 500, 500);
+  settings.cells_across = 2, settings.cells_along = 20;
+  return settings;
+}
+
+md::PistonSlices slices(md::LjPistonSettings const& of, double time) {
+  auto const n = std::size_t(of.slices());
+  return {.step = 1,
+          .time = time,
+          .piston = of.v_P * time,
+          .number = std::vector<double>(n, 2.0),
+          .velocity = std::vector<double>(n, 1.5),
+          .T = std::vector<double>(n, 4.0),
+          .P = std::vector<double>(n, 7.0)};
+}
+
+TEST(LjPistonFile, HoldsArgonInSi) {
+  ScratchDirectory const scratch;
+  auto const of = settings();
+  LjPistonFile file(scratch / "p.h5", of, {});
+  file.append(slices(of, 0.5)), file.append(slices(of, 1));
+  file.close(true);
+  auto const data = read_lj_piston(scratch / "p.h5");
+  EXPECT_TRUE(data.complete);
+  EXPECT_EQ(data.atoms, 320);
+  EXPECT_NEAR(data.scale.v_P, 500, 1e-9);
+  EXPECT_NEAR(data.scale.spacing / std::cbrt(6.64e-26 / 1150), 1, 1e-12);
+  ASSERT_EQ(data.frames.size(), 2u);
+  auto const& last = data.frames[1];
+  EXPECT_NEAR(last.time / 2.1555e-12, 1, 1e-3); // sigma (m/epsilon)^(1/2)
+  EXPECT_NEAR(last.piston / (500 * last.time), 1, 1e-12);
+  EXPECT_NEAR(last.velocity[3] / (1.5 * std::sqrt(1.657e-21 / 6.64e-26)), 1, 1e-12);
+  EXPECT_NEAR(last.T[3] / (4 * 1.657e-21 / 1.380649e-23), 1, 1e-12);
+  EXPECT_NEAR(last.P[3] / (7 * 1.657e-21 / std::pow(3.405e-10, 3)), 1, 1e-12);
+  // Two atoms in a slice as thick as one spacing, of an area of two cells of 4 atoms each way.
+  double const area = std::pow(2 * std::cbrt(4 * 6.64e-26 / 1150), 2), width = 2 * data.scale.position[0];
+  EXPECT_NEAR(last.rho[3] / (2 * 6.64e-26 / (area * width)), 1, 1e-9);
+}
+
+TEST(LjPistonFile, IsReadAsFarAsItGoes) {
+  ScratchDirectory const scratch;
+  LjPistonFile(scratch / "p.h5", settings(), {}).close(false);
+  auto const data = read_lj_piston(scratch / "p.h5");
+  EXPECT_FALSE(data.complete);
+  EXPECT_TRUE(data.frames.empty());
+  Store(scratch / "other.h5", Store::Mode::create).close();
+  EXPECT_THROW(read_lj_piston(scratch / "other.h5"), InputError);
+  EXPECT_THROW(read_lj_piston(scratch / "none.h5"), InputError);
+}
+
+} // namespace
+} // namespace mesobridge::workflows
