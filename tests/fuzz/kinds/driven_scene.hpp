@@ -13,8 +13,8 @@ namespace mesobridge::fuzz {
 class DrivenScene {
  public:
   explicit DrivenScene(Random& random)
-      : random_(random), across_(7 + random.below(2)), along_(10 + random.below(15)), axis_(random.below(3)) {
-  }
+      : random_(random), across_(7 + random.below(2)), along_(10 + random.below(15)), axis_(random.below(3)),
+        has_regions_(random.chance(0.35)) {}
 
   std::string text() {
     auto const method = random_.of<std::string>({"sdpd", "sdpd", "sdpd", "dpde", "dpd"});
@@ -52,7 +52,8 @@ class DrivenScene {
     text += fmt::format("[transport]\neta = \"{:.4g} Pa*s\"\n", any_between(1e-5, 1e-2));
     if (random_.chance(0.3))
       text += fmt::format("kappa = \"{:.4g} W/(m*K)\"\n", any_between(1e-3, 1));
-    return text + scheme("sdpd", quiet, any_between(0.002, 0.08)) + run();
+    return text + scheme("sdpd", quiet, any_between(0.002, 0.08)) + run() +
+           regions(rho, " kg/m^3", any_between(50, 1e4), " m/s");
   }
 
   std::string soft(std::string const& method) {
@@ -70,7 +71,8 @@ class DrivenScene {
       text += fmt::format("[internal_energy]\nheat_capacity = {:.4g}\n", any_between(3, 1000));
     if (method == "dpde" && random_.chance(0.3))
       text += fmt::format("[conduction]\nkappa = {:.4g}\n", any_between(0.01, 5));
-    return text + scheme(method, false, any_between(0.001, 0.04)) + run();
+    return text + scheme(method, false, any_between(0.001, 0.04)) + run() +
+           regions(3, "", any_between(0.05, 50), "");
   }
 
   std::string particles() {
@@ -124,12 +126,36 @@ class DrivenScene {
     return fmt::format(
         "[run]\nequilibrate = {}\nsteps = {}\nsample_every = 2\ncheckpoint_every = 0\nseed = {}\n"
         "[profile]\naxis = \"{}\"\nbins = 10\nevery = 20\n",
-        random_.of<std::string>({"0", "20", "60"}), 64 + 20 * random_.below(6), 1 + random_.below(1000),
-        "xyz"[axis_]);
+        has_regions_ ? "0" : random_.of<std::string>({"0", "20", "60"}), 64 + 20 * random_.below(6),
+        1 + random_.below(1000), "xyz"[axis_]);
+  }
+
+  /// Parts of the box that begin otherwise: other densities, in motion, or vacuum.
+  std::string regions(double rho, std::string const& of_density, double v, std::string const& of_velocity) {
+    std::string text;
+    auto const quote = [](double value, std::string const& unit) {
+      return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("\"{:.4g}{}\"", value, unit);
+    };
+    for (std::size_t k = 0; has_regions_ && k < 1 + random_.below(2); ++k) {
+      text +=
+          fmt::format("[[region]]\nshape = \"slab\"\naxis = \"{}\"\nfrom = \"{:.4g} %\"\nto = \"{:.4g} %\"\n",
+                      "xyz"[axis_], between(-10, 60), between(40, 110));
+      if (random_.chance(0.3)) {
+        text += "fill = \"vacuum\"\n";
+        continue;
+      }
+      if (random_.chance(0.7))
+        text += "rho = " + quote(rho * any_between(0.3, 1.5), of_density) + "\n";
+      if (random_.chance(0.7))
+        text += fmt::format("velocity = [{0}, {0}, {0}]\n", quote(random_.chance(0.5) ? v : -v, of_velocity));
+      text += fmt::format("lattice = \"{}\"\n", random_.of<std::string>({"cubic", "fcc", "random"}));
+    }
+    return text;
   }
 
   Random& random_;
   std::size_t across_, along_, axis_;
+  bool has_regions_;
 };
 
 /// What is wrong with the end of a run of such a scene, by its status and what it printed, or nothing: it
