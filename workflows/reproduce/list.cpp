@@ -26,12 +26,12 @@ std::vector<Reproduction> const& reproductions() {
       {"table-4.2", "a shock in an ideal gas by EMS and AMS; where SSA fails", reproduce_table_4_2},
       {"figure-4.10", "its density through the front", reproduce_figure_4_10},
       {"stability", "which schemes run where: time steps, sizes, extreme states", reproduce_stability},
-      {"exact-solutions", "shock tubes without noise against exact solutions, over the resolution", reproduce_exact_solutions},
       {"table-5.1", "pressure, density, temperatures over the particle size", reproduce_table_5_1},
-      {"viscosity", "the viscosity that SDPD, DPD and DPDE have, beside the one asked for", reproduce_viscosity},
       {"table-5.2", "a shock in argon over the particle size, three equations of state", reproduce_table_5_2},
       {"figure-5.5", "its density through the front, eta = 1e-4 Pa s", reproduce_figure_5_5},
       {"figure-5.6", "its density through the front, eta = 2e-3 Pa s", reproduce_figure_5_6},
+      {"exact-solutions", "shock tubes without noise against exact solutions, over the resolution", reproduce_exact_solutions},
+      {"viscosity", "the viscosity that SDPD, DPD and DPDE have, beside the one asked for", reproduce_viscosity},
   };
   return list;
 }
