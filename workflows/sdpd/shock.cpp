@@ -38,7 +38,7 @@ std::vector<sdpd::ShockFrame> by_motion(std::vector<sdpd::ShockFrame> frames, St
   OutputUnits const units(settings.units(), scene.units);
   std::size_t const slices = frames.front().rho.size();
   auto const number = store.read_integers("profile/number");
-  auto T = rows_of(store, "T_kin" + units.temperature_key, slices);
+  auto T = profile_rows(store, "T_kin" + units.temperature_key, slices);
   auto const& n = settings.lattice;
   double const everywhere = double(n[0]) * n[1] * n[2] / static_cast<double>(slices);
   for (std::size_t k = 0; k < frames.size(); ++k) {
