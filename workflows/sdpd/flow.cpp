@@ -128,9 +128,11 @@ class FlowSearch {
   auto inside() const {
     return [this](double z) { return z > range_ && z < edge_ - range_; };
   }
-  /// What comes after the start of the flow.
+  /// What comes after the start of the flow, which a sliding wall's slope in the middle hardly shows, but the
+  /// velocity there does.
   void settle(FlowOfRun& flow, Fits const& fits) {
-    first_ = std::max(cg::detect_equilibration(fits.slope).start, frames_.time.size() / 10);
+    first_ = std::max({cg::detect_equilibration(fits.slope).start, cg::detect_equilibration(fits.offset).start,
+                       frames_.time.size() / 10});
     flow.from = frames_.time[first_];
   }
 
