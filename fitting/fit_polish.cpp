@@ -82,9 +82,12 @@ Eigen::VectorXd polish(FitCoordinates const& coordinates, Eigen::VectorXd const&
   Moving problem{coordinates, from, moving};
   auto const n = static_cast<std::size_t>(start.size()), p = moving.size();
   using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
+  gsl_set_error_handler_off(); // what fails says so by its status; GSL would end the program
   auto const parameters = gsl_multifit_nlinear_default_parameters();
   Workspace const work(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p),
                        gsl_multifit_nlinear_free);
+  if (!work)
+    return from;
   gsl_multifit_nlinear_fdf fdf{};
   fdf.f = residuals;
   fdf.df = jacobian;
@@ -95,12 +98,16 @@ Eigen::VectorXd polish(FitCoordinates const& coordinates, Eigen::VectorXd const&
   for (auto const k : moving)
     x.push_back(Moving::angle(from[k]));
   auto const view = gsl_vector_const_view_array(x.data(), p);
-  gsl_multifit_nlinear_init(&view.vector, &fdf, work.get());
+  bool const begun = gsl_multifit_nlinear_init(&view.vector, &fdf, work.get()) == GSL_SUCCESS;
   int info = 0;
   constexpr std::size_t most = 200;
   constexpr double x_tolerance = 1e-12, gradient_tolerance = 1e-14;
-  gsl_multifit_nlinear_driver(most, x_tolerance, gradient_tolerance, 0, nullptr, nullptr, &info, work.get());
+  if (begun)
+    gsl_multifit_nlinear_driver(most, x_tolerance, gradient_tolerance, 0, nullptr, nullptr, &info,
+                                work.get());
   coordinates.throw_if_stopped();
+  if (!begun)
+    return from;
   Eigen::VectorXd const to = problem.point(work->x);
   auto const reached = coordinates.feasible_residuals(to);
   return reached && reached->squaredNorm() <= start.squaredNorm() ? to : from;

@@ -167,9 +167,25 @@ bool has_layout(Scene const& scene) {
   return !scene.regions.empty() || !scene.box.size.empty();
 }
 
+namespace {
+
+/// Refusals of the engine name the key that asked for the layout.
+std::shared_ptr<sdpd::Layout const> make_layout(Scene const& scene, Plan const& plan, std::uint64_t seed) {
+  try {
+    return std::make_shared<sdpd::Layout const>(plan.edge(), plan.regions(), seed);
+  } catch (InputError const& error) {
+    auto const count = scene.regions.size();
+    throw InputError(count == 0 ? fmt::format("particles.K = {}: {}", scene.particles.K, error.what())
+                                : fmt::format("region.{}.shape = {}: {}", count, scene.regions.back().shape,
+                                              error.what()));
+  }
+}
+
+} // namespace
+
 void lay_out(Scene const& scene, sdpd::SimulationSettings& settings) {
   Plan const plan(scene, settings);
-  settings.layout = std::make_shared<sdpd::Layout const>(plan.edge(), plan.regions(), settings.seed);
+  settings.layout = make_layout(scene, plan, settings.seed);
   if (plan.materials().size() > 1)
     std::visit([&](auto& method) { set_species(method, scene, plan); }, settings.method);
 }

@@ -163,7 +163,7 @@ class DrivenScene {
 /// that ends it; no time step while it comes to equilibrium), or where nothing drives it with the files of a
 /// whole run whose state is not the one asked for.
 inline std::string fault_of_driven(int status, std::string const& printed) {
-  static std::regex const key(R"([a-z_]+\.[A-Za-z_0-9]+ = )"),
+  static std::regex const key(R"([a-z_]+\.([0-9]+\.)?[A-Za-z_0-9]+ = )"),
       cause(R"(((particle \d+ at )?step \d+ \(dt = [0-9.e+-]+ reduced\): .{20})"
             R"(|step \d+: while the system came to equilibrium, .{20})"
             R"(|files of the run are written into .*, but its state is not the scene's))");

@@ -52,7 +52,7 @@ TEST(Materials, AreFoundByNameOnly) {
   EXPECT_EQ(material("argon").name, "argon");
   EXPECT_TRUE(
       material_names().starts_with("argon, lj, ideal-gas, tin, nitromethane, nitromethane-products, "));
-  EXPECT_TRUE(material_names().ends_with(", water, lj-kn, lj-thol"));
+  EXPECT_TRUE(material_names().ends_with(", water, air, lj-kn, lj-thol"));
   try {
     material("argonn");
     FAIL() << "no exception";

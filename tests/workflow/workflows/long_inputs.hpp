@@ -13,7 +13,7 @@ namespace mesobridge::tests {
 inline void write_many_states(std::filesystem::path const& file) {
   std::mt19937_64 generator(3);
   auto const grid = fitting::test::measured_grid(fitting::LjBwr(fitting::lj_bwr_1993),
-                                                 {.densities = 60, .temperatures = 60}, generator);
+                                                 {.densities = 160, .temperatures = 160}, generator);
   workflows::write_state_grid(file, grid, {.command = "test", .scene = "", .inputs = {}});
 }
 
