@@ -1,9 +1,8 @@
 #include "workflows/report/plot.hpp"
 #include "md/error.hpp"
-#include "workflows/process.hpp"
+#include "workflows/report/gnuplot.hpp"
 #include "workflows/report/plot_axes.hpp"
 #include "workflows/report/plot_series.hpp"
-#include "workflows/report/report.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -98,28 +97,14 @@ std::string script(Plot const& plot) {
   return text + "unset multiplot\n";
 }
 
-/// A text without braces and backslashes, as HTML wants it.
-std::string spoken(std::string text) {
-  std::erase_if(text, [](char c) { return std::string_view("{}\\").find(c) != std::string_view::npos; });
-  return html_escaped(text);
-}
-
 /// "Isotherms: P* against rho*", for readers of screens.
 std::string described(Plot const& plot) {
   std::vector<std::string> what;
   for (auto const& panel : plot.panels)
     if (!panel.y.label.empty())
       what.push_back(panel.y.label);
-  return spoken(fmt::format("{}: {} against {}", plot.title.empty() ? plot.name : plot.title,
-                            fmt::join(what, "; "), plot.x.label));
-}
-
-/// gnuplot's picture with a description in the place of the name.
-std::string with_description(std::string svg, Plot const& plot) {
-  auto const name = fmt::format("<title>{}</title>", plot.name);
-  if (auto const at = svg.find(name); at != std::string::npos)
-    svg.replace(at, name.size(), fmt::format("<title>{}</title>", described(plot)));
-  return svg.insert(svg.find("<svg") + 4, " role=\"img\"");
+  return fmt::format("{}: {} against {}", plot.title.empty() ? plot.name : plot.title, fmt::join(what, "; "),
+                     plot.x.label);
 }
 
 } // namespace
@@ -130,13 +115,7 @@ std::string draw_svg(Plot const& plot) {
   for (auto const& panel : plot.panels)
     for (auto const& series : panel.series)
       check_series(plot, panel, series);
-  auto const result = run_process({"gnuplot", "-d"}, script(plot));
-  auto const start = result.output.find("<svg");
-  if (result.status != 0 || start == std::string::npos || !result.output.ends_with("</svg>\n\n"))
-    throw EnvironmentError(
-        fmt::format("gnuplot could not draw '{}': {}", plot.name,
-                    result.errors.empty() ? "it wrote no complete picture" : result.errors));
-  return with_description(result.output.substr(start), plot);
+  return gnuplot_svg(script(plot), plot.name, described(plot));
 }
 
 std::string plain(std::string const& text) {

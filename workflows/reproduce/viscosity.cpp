@@ -111,7 +111,7 @@ Plot plot_of(std::vector<Row> const& rows) {
             .x = {.label = "K", .logarithmic = true},
             .panels = {Panel{}}};
   auto& panel = plot.panels[0];
-  panel.y = {.label = "measured / asked", .logarithmic = true};
+  panel.y = {.label = "measured / asked"};
   panel.level_lines = {1};
   for (auto const& row : rows) {
     if (!row.found || !row.asked())

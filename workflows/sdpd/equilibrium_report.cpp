@@ -9,6 +9,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/run_plots.hpp"
 #include "workflows/sdpd/shock.hpp"
+#include "workflows/sdpd/space_time.hpp"
 #include "workflows/sdpd/start_picture.hpp"
 #include "workflows/text_file.hpp"
 
@@ -181,6 +182,29 @@ std::vector<std::string> sources_of(RunResult const& run) {
   return sources;
 }
 
+/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time.
+std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunResult const& run,
+                                     OutputUnits const& units) {
+  Store const store(run_file, Store::Mode::read);
+  std::vector<Section> sections;
+  if (auto const shock = shock_of(store, run.scene, run.settings))
+    sections.push_back(shock_section(*shock, units));
+  if (run.settings.layout)
+    sections.push_back({"Start",
+                        {drawn({start_picture(run.scene, run.settings)},
+                               fmt::format("A layer through the middle of the box. {}.",
+                                           fmt::join(region_lines(run.scene, run.settings), "; ")))}});
+  if (auto const problem = riemann_problem(run.scene, run.settings))
+    if (auto const found = compare(*problem, store, run.scene, units))
+      sections.push_back(riemann_section(*found, units));
+  if (auto const flow = flow_of(store, run.scene, run.settings))
+    sections.push_back(flow_section(*flow, run));
+  if (is_driven(run.scene))
+    if (auto pictures = space_time_section(store, run.scene, units))
+      sections.push_back(std::move(*pictures));
+  return sections;
+}
+
 } // namespace
 
 void write_equilibrium_report(std::filesystem::path const& file, RunResult const& run,
@@ -194,19 +218,8 @@ void write_equilibrium_report(std::filesystem::path const& file, RunResult const
                 .provenance = {command, run.settings.seed, resolved_toml(run.scene), {}},
                 .warnings = texts_of(run.findings),
                 .sources = sources_of(run)};
-  auto const shock = shock_of(Store(run_file, Store::Mode::read), run.scene, run.settings);
-  if (shock)
-    report.sections.push_back(shock_section(*shock, units));
-  if (run.settings.layout)
-    report.sections.push_back({"Start",
-                               {drawn({start_picture(run.scene, run.settings)},
-                                      fmt::format("A layer through the middle of the box. {}.",
-                                                  fmt::join(region_lines(run.scene, run.settings), "; ")))}});
-  if (auto const problem = riemann_problem(run.scene, run.settings))
-    if (auto const found = compare(*problem, Store(run_file, Store::Mode::read), run.scene, units))
-      report.sections.push_back(riemann_section(*found, units));
-  if (auto const flow = flow_of(Store(run_file, Store::Mode::read), run.scene, run.settings))
-    report.sections.push_back(flow_section(*flow, run));
+  for (auto& section : driven_sections(run_file, run, units))
+    report.sections.push_back(std::move(section));
   if (!is_driven(run.scene))
     report.sections.push_back({"Results", {numbers(run, units)}});
   report.sections.push_back(time_section(run_file, run));
