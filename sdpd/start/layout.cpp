@@ -1,5 +1,6 @@
 #include "sdpd/start/layout.hpp"
 #include "md/error.hpp"
+#include "sdpd/start/count_sites.hpp"
 #include "sdpd/state/random.hpp"
 #include <algorithm>
 #include <array>
@@ -54,7 +55,8 @@ Layout::Layout(Vec3 const& edge, std::vector<Region> regions, std::uint64_t seed
     sites += region.vacuum ? 0 : sites_of(region);
   }
   require(sites <= most, "particles in all regions", sites, fmt::format("must be <= {}", most));
-  for_each_place([&](Vec3 const&, std::size_t region) { ++particles_[region], ++size_; });
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    size_ += particles_[r] = count(r);
   require(size_ >= 2, "particles in all regions", size_, "must be >= 2");
 }
 
@@ -109,21 +111,50 @@ double Layout::excess(std::size_t region) const {
   return static_cast<double>(n[0] * n[1] * n[2] * basis_of(of.lattice).size()) / sites_of(of) - 1;
 }
 
-void Layout::for_each_lattice_site(Region const& region, Sites const& f) const {
+std::vector<Coordinates> Layout::lattice_of(Region const& region) const {
   auto const cuboid = cuboid_of(region);
-  auto const basis = basis_of(region.lattice);
   auto const n = cells_of(region);
-  Vec3 const edge = cuboid.to - cuboid.from;
-  auto const at = [](double from, double edge, double k, std::uint64_t n) {
-    return from + edge * (k / static_cast<double>(n));
-  };
+  std::vector<Coordinates> lattice;
+  for (auto const& b : basis_of(region.lattice)) {
+    auto& at = lattice.emplace_back();
+    for (int axis = 0; axis < 3; ++axis) {
+      double const from = component(cuboid.from, axis), edge = component(cuboid.to, axis) - from;
+      auto const cells = n[static_cast<std::size_t>(axis)];
+      for (std::uint64_t k = 0; k < cells; ++k)
+        at[static_cast<std::size_t>(axis)].push_back(
+            from + edge * ((static_cast<double>(k) + component(b, axis)) / static_cast<double>(cells)));
+    }
+  }
+  return lattice;
+}
+
+void Layout::for_each_lattice_site(Region const& region, Sites const& f) const {
+  auto const lattice = lattice_of(region);
+  auto const n = cells_of(region);
   for (std::uint64_t z = 0; z < n[2]; ++z)
     for (std::uint64_t y = 0; y < n[1]; ++y)
       for (std::uint64_t x = 0; x < n[0]; ++x)
-        for (auto const& b : basis)
-          f({at(cuboid.from.x, edge.x, static_cast<double>(x) + b.x, n[0]),
-             at(cuboid.from.y, edge.y, static_cast<double>(y) + b.y, n[1]),
-             at(cuboid.from.z, edge.z, static_cast<double>(z) + b.z, n[2])});
+        for (auto const& at : lattice)
+          f({at[0][x], at[1][y], at[2][z]});
+}
+
+std::size_t Layout::count(std::size_t region) const {
+  auto const& of = regions_[region];
+  std::size_t count = 0;
+  if (of.vacuum)
+    return 0;
+  if (of.lattice != Lattice::random) {
+    std::optional<std::size_t> quick = 0;
+    for (auto const& at : lattice_of(of))
+      if (auto const more = count_sites(at, regions_, region); quick && more)
+        *quick += *more;
+      else
+        quick = std::nullopt;
+    if (quick)
+      return *quick;
+  }
+  for_each_site(region, [&](Vec3 const& q) { count += region_at(q) == region; });
+  return count;
 }
 
 void Layout::for_each_random_site(std::size_t region, Sites const& f) const {

@@ -33,6 +33,9 @@ struct Region {
   bool contains(Vec3 const& q) const { return sdpd::contains(shape, q) != outside; }
 };
 
+/// The coordinates of sites along x, y and z: there is one at each combination of them.
+using Coordinates = std::array<std::vector<double>, 3>;
+
 /// Where the particles of a box begin that several regions fill, each with its own lattice, density,
 /// temperature and velocity. What a region holds, those behind it in the list take from it.
 class Layout {
@@ -63,6 +66,8 @@ class Layout {
   Cuboid cuboid_of(Region const& region) const; ///< of the box, that the region's lattice fills
   double sites_of(Region const& region) const;  ///< wanted, in that cuboid
   std::array<std::uint64_t, 3> cells_of(Region const& region) const;
+  std::vector<Coordinates> lattice_of(Region const& region) const; ///< for each site of a cell
+  std::size_t count(std::size_t region) const;                     ///< of the particles
   void for_each_site(std::size_t region, Sites const& f) const;
   void for_each_lattice_site(Region const& region, Sites const& f) const;
   void for_each_random_site(std::size_t region, Sites const& f) const;

@@ -8,6 +8,7 @@
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
+#include <random>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -47,6 +48,35 @@ TEST(Layout, GivesEachPlaceToTheLastRegionThatHoldsIt) {
   double const half_ball = 2 * std::numbers::pi / 3 * 27;
   EXPECT_NEAR(static_cast<double>(found[0]), 8 * 8 * 12 - half_ball, 14);
   EXPECT_NEAR(static_cast<double>(found[1]), 8 * (8 * 8 * 12 - half_ball), 56);
+}
+
+// Particles are counted without a walk through them; the walk counts as many.
+TEST(Layout, CountsAsManyAsItPlaces) {
+  std::mt19937 generator(5);
+  auto const random = [&](double from, double to) {
+    return std::uniform_real_distribution(from, to)(generator);
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector regions{everywhere()};
+    for (int k = 0; k < 3; ++k) {
+      Region region{.name = "cuboid", .outside = random(0, 1) < 0.3, .vacuum = random(0, 1) < 0.2};
+      Vec3 const from{random(-2, 6), random(-2, 6), random(-2, 20)};
+      region.shape = Cuboid{from, from + Vec3{random(2, 9), random(2, 9), random(4, 20)}};
+      region.lattice = random(0, 1) < 0.5 ? Lattice::fcc : Lattice::cubic, region.spacing = random(0.7, 1.3);
+      regions.push_back(region);
+    }
+    regions.front().spacing = random(0.9, 1.1);
+    try {
+      Layout const layout(edge, regions, 1);
+      std::vector<std::size_t> found(regions.size());
+      layout.for_each_place([&](Vec3 const&, std::size_t region) { ++found[region]; });
+      EXPECT_EQ(found, layout.particles()) << trial;
+    } catch (InputError const&) { // nothing is left
+    }
+  }
+  auto dense = everywhere(); // 3.07e9 particles, at once
+  dense.spacing = 0.00794;
+  EXPECT_GT(alone(dense).size(), 3'000'000'000u);
 }
 
 TEST(Layout, HasAsManyParticlesAsTheDensityAsksFor) {
