@@ -17,4 +17,8 @@ constexpr double absurd_temperature(double K) {
 /// Throws PhysicsError that names step, time step and temperature once that has happened.
 void refuse_runaway(Observation const& now, double dt);
 
+/// Throws PhysicsError when a quantity of the whole system is no finite number: a single particle may have
+/// run away in a system that flows.
+void refuse_not_finite(Observation const& now, double dt);
+
 } // namespace mesobridge::sdpd

@@ -71,8 +71,21 @@ class Plan {
                         .velocity = vector_of(of.velocity) / v};
     Vec3 const gradient = vector_of(of.velocity_gradient) / rate;
     (of.axis == "x" ? region.along_x : of.axis == "y" ? region.along_y : region.along_z) = gradient;
-    add(std::move(region), material_of(scene_, of), of.rho.value_or(scene_.fluid.rho),
-        of.T.value_or(scene_.fluid.T));
+    double const rho = of.rho.value_or(scene_.fluid.rho), T = of.T.value_or(scene_.fluid.T);
+    if (of.fill == "fluid" && scene_.features().densities)
+      check_state(material_of(scene_, of).eos, rho, T, k);
+    add(std::move(region), material_of(scene_, of), rho, T);
+  }
+
+  /// The model must have the state that a region begins with.
+  void check_state(std::string const& eos, double rho, double T, std::size_t k) const {
+    Scene scene = scene_;
+    scene.fluid.eos = eos;
+    try {
+      std::visit([&](auto const& of) { of.energy_from_temperature(T, rho); }, eos_of(scene));
+    } catch (PhysicsError const& error) {
+      throw InputError(fmt::format("region.{}.rho = {:g} at T = {:g}: {}", k + 1, rho, T, error.what()));
+    }
   }
 
   static Vec3 vector_of(std::vector<double> const& numbers) {

@@ -190,6 +190,7 @@ class Run {
   /// What is due at this step: all outputs, then the checkpoint.
   void record() {
     auto const observed = simulation_.observe();
+    sdpd::refuse_not_finite(observed, settings_.dt);
     if (simulation_.has_noise() && !is_driven(scene_)) // what flows has no one temperature of its motion
       sdpd::refuse_runaway(observed, settings_.dt);
     outputs_->record(done_, observed, simulation_);
