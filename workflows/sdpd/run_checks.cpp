@@ -55,10 +55,24 @@ void check_box(Scene const& scene, int threads) {
                       lattice[1], lattice[2], side * side * side, side * side * (side + 1), why));
 }
 
+/// The model must have the state that the fluid begins in.
+void check_state(Scene const& scene) {
+  if (!scene.features().densities)
+    return;
+  try {
+    std::visit([&](auto const& of) { of.energy_from_temperature(scene.fluid.T, scene.fluid.rho); },
+               eos_of(scene));
+  } catch (PhysicsError const& error) {
+    throw PhysicsError(
+        fmt::format("fluid.rho = {:g} at fluid.T = {:g}: {}", scene.fluid.rho, scene.fluid.T, error.what()));
+  }
+}
+
 } // namespace
 
 void check_run(Scene const& scene, int threads) {
   check_steps(scene.run);
+  check_state(scene);
   if (scene.box == Scene::Box{} && scene.regions.empty()) // of others the engine says what they lack
     check_box(scene, threads);
   auto const settings = settings_for_check(scene, threads);
