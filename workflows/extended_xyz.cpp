@@ -16,11 +16,14 @@ std::string text_of(ParticleFrame const& frame) {
   std::string text;
   auto out = std::back_inserter(text);
   auto const& edge = frame.box.edge;
+  auto const letter = [&](std::size_t axis) { return frame.box.periodic[axis] ? 'T' : 'F'; };
   std::string columns = "id:I:1:pos:R:3:velo:R:3";
   for (auto const& [name, values] : frame.scalars)
     columns += ":" + name + ":R:1";
-  fmt::format_to(out, "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Properties={} {}{} time={} pbc=\"T T T\"\n",
-                 frame.positions.size(), edge.x, edge.y, edge.z, columns, step_key, frame.step, frame.time);
+  fmt::format_to(out,
+                 "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Properties={} {}{} time={} pbc=\"{:c} {:c} {:c}\"\n",
+                 frame.positions.size(), edge.x, edge.y, edge.z, columns, step_key, frame.step, frame.time,
+                 letter(0), letter(1), letter(2));
   for (std::size_t i = 0; i < frame.positions.size(); ++i) {
     auto const &q = frame.positions[i], &v = frame.velocities[i];
     fmt::format_to(out, "{} {} {} {} {} {} {}", i, q.x, q.y, q.z, v.x, v.y, v.z);

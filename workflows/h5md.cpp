@@ -17,7 +17,8 @@ void append_instant(Store& store, std::string const& group, std::int64_t step, d
 
 } // namespace
 
-H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance)
+H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance,
+                       std::array<bool, 3> periodic)
     : store_(file, Store::Mode::create, Store::Safety::marked), units_(units) {
   std::array<std::int64_t, 2> const format{1, 1};
   store_.set_attribute("h5md", "version", std::span<std::int64_t const>(format));
@@ -29,7 +30,9 @@ H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenanc
     store_.set_attribute("h5md/modules/units", "version", std::span<std::int64_t const>(module));
     store_.set_attribute("h5md/modules/units", "system", std::string("SI"));
   }
-  std::vector<std::string> const boundary(3, "periodic");
+  std::vector<std::string> boundary;
+  for (bool const leads_round : periodic)
+    boundary.emplace_back(leads_round ? "periodic" : "none");
   store_.set_attribute(std::string(particles) + "/box", "dimension", std::int64_t{3});
   store_.set_attribute(std::string(particles) + "/box", "boundary", std::span<std::string const>(boundary));
   write_provenance(store_, provenance);

@@ -32,8 +32,9 @@ class H5mdWriter {
     std::span<Vec3 const> velocities;
   };
 
-  /// Creates the file. Throws EnvironmentError.
-  H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance);
+  /// Creates the file, of a box that is periodic along some of its edges. Throws EnvironmentError.
+  H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance,
+             std::array<bool, 3> periodic = {true, true, true});
 
   /// Opens a file that an earlier run wrote, to append to it. Throws InputError, EnvironmentError.
   static H5mdWriter continue_file(std::filesystem::path const& file, Units units);

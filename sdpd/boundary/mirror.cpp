@@ -1,33 +1,40 @@
 #include "sdpd/boundary/mirror.hpp"
 #include "sdpd/system/masses.hpp"
-#include "sdpd/system/sum_over_particles.hpp"
 #include <atomic>
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// Forces by images, strength(i, j, r) * r each, whose sum along the normal is the wall's. Half of their
-/// virial is the fluid's, the other half the images'.
-template <class Strength>
-void add_forces(System& system, Strength const& strength) {
+/// What a law gives for a particle and an image: the force is strength * r.
+struct OfImage {
+  double strength = 0, energy = 0;
+};
+
+/// Forces by images, law(i, j, r) each, whose sum along the normal is the wall's. Half of their virial and
+/// energy is the fluid's, the other half the images'. Returns that energy.
+template <class Law>
+double add_forces(System& system, Law const& law) {
   auto& particles = system.particles;
+  double total = 0;
   for (auto& wall : system.walls) {
     auto const& near = wall.layer.particles;
     auto const& images = wall.layer.images;
-    std::vector<double> normal(near.size()), virial(near.size());
+    std::vector<double> normal(near.size()), virial(near.size()), energy(near.size());
     for_each_index(near.size(), system.threads, [&](std::size_t k) {
       Index const i = near[k];
       Vec3 sum;
       for (auto const& [j, r] : images[k]) {
-        double const s = strength(i, j, r);
-        sum += s * r, virial[k] += 0.5 * s * norm2(r);
+        auto const [strength, u] = law(i, j, r);
+        sum += strength * r, virial[k] += 0.5 * strength * norm2(r), energy[k] += 0.5 * u;
       }
       particles.f[i] += sum;
       normal[k] = component(sum, wall.axis);
     });
     wall.force = std::accumulate(normal.begin(), normal.end(), 0.0);
     system.virial += std::accumulate(virial.begin(), virial.end(), 0.0);
+    total = std::accumulate(energy.begin(), energy.end(), total);
   }
+  return total;
 }
 
 } // namespace
@@ -57,9 +64,9 @@ void add_wall_forces(System& system) {
       [&](auto const& kernel) {
         add_forces(system, [&](Index i, Index j, Vec3 const& r) {
           double const distance = norm(r);
-          return weight_of(system, i) * weight_of(system, j) *
-                 (push_of_pressure(system, i) + push_of_pressure(system, j)) *
-                 kernel.F(distance, 1 / distance);
+          return OfImage{.strength = weight_of(system, i) * weight_of(system, j) *
+                                     (push_of_pressure(system, i) + push_of_pressure(system, j)) *
+                                     kernel.F(distance, 1 / distance)};
         });
       },
       system.kernel);
@@ -81,26 +88,21 @@ void add_wall_pair_forces(System& system) {
     return;
   find_wall_images(system);
   Failure failure;
-  thread_local std::vector<double> energy_of_caller;
-  auto& energy = energy_of_caller; // the same for all threads of the sum
-  energy.assign(system.size(), 0);
   std::visit(
       [&](auto const& potential) {
         if constexpr (requires { potential(1.0, 1.0); })
-          add_forces(system, [&](Index i, Index j, Vec3 const& r) {
+          system.potential_energy += add_forces(system, [&](Index i, Index j, Vec3 const& r) {
             double const distance = norm(r);
             if (distance < potential.inner())
               failure.report(system.particles.id[i], too_near(system, j, distance, potential.inner()));
             if (!(distance < potential.cutoff()))
-              return 0.0;
+              return OfImage{};
             auto const pair = potential(distance, 1 / distance);
-            energy[i] += 0.5 * pair.energy; // the image has the other half
-            return pair.strength;
+            return OfImage{pair.strength, pair.energy};
           });
       },
       system.potential);
   system.stop_at(failure);
-  system.potential_energy += sum_over_particles(system, [&](std::size_t i) { return energy[i]; });
 }
 
 void add_wall_virials(System const& system, std::vector<double>& virial) {

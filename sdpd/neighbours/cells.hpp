@@ -59,8 +59,8 @@ class CellGrid {
   bool is_endless() const { return open_[0] || open_[1] || open_[2]; }
   Index cell_of(Vec3 const& q) const;
   Place place_of(Vec3 const& q) const;
-  /// The stretches that a cell along one edge belongs to: one or two.
-  std::array<std::int64_t, 2> stretches_of(unsigned axis, std::int64_t cell) const;
+  /// The stretch along one edge that owns the gap behind a cell.
+  std::int64_t stretch_of(unsigned axis, std::int64_t cell) const;
   void find_occupied(std::span<Vec3 const> q, int threads, std::vector<Index>& cell);
   void cover_occupied();
   Block block_of(Place const& stretches);

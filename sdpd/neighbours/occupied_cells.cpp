@@ -51,14 +51,11 @@ CellGrid::Place CellGrid::place_of(Vec3 const& q) const {
   return place;
 }
 
-std::array<std::int64_t, 2> CellGrid::stretches_of(unsigned axis, std::int64_t cell) const {
+std::int64_t CellGrid::stretch_of(unsigned axis, std::int64_t cell) const {
   if (!box_.periodic[axis])
-    return {half(cell), half(cell - 1)};
+    return half(cell);
   auto const& along = along_[axis];
-  auto const after = std::ranges::upper_bound(along, static_cast<Index>(cell), {}, &Stretch::begin);
-  auto const number = after - along.begin() - 1, count = static_cast<std::ptrdiff_t>(along.size());
-  bool const first = cell == along[static_cast<std::size_t>(number)].begin;
-  return {number, first ? (number + count - 1) % count : number};
+  return std::ranges::upper_bound(along, static_cast<Index>(cell), {}, &Stretch::begin) - along.begin() - 1;
 }
 
 Index CellGrid::occupied(Place const& place) const {
@@ -103,8 +100,7 @@ void CellGrid::cover_occupied() {
       auto const lower =
           wrapped({z + std::min<std::int64_t>(way[0], 0), y + std::min<std::int64_t>(way[1], 0),
                    x + std::min<std::int64_t>(way[2], 0)});
-      Place const owner{stretches_of(2, lower[0])[0], stretches_of(1, lower[1])[0],
-                        stretches_of(0, lower[2])[0]};
+      Place const owner{stretch_of(2, lower[0]), stretch_of(1, lower[1]), stretch_of(0, lower[2])};
       phases[static_cast<unsigned>((owner[2] & 1) + 2 * (owner[1] & 1) + 4 * (owner[0] & 1))].push_back(
           owner);
     }

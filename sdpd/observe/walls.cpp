@@ -4,6 +4,12 @@ namespace mesobridge::sdpd {
 namespace {
 
 constexpr std::array<std::string_view, 2> lower_and_upper{"_lower", "_upper"};
+constexpr std::array<std::string_view, 6> vectors_of_both{"_lower_x", "_lower_y", "_lower_z",
+                                                          "_upper_x", "_upper_y", "_upper_z"};
+
+bool with_rough_walls(Features const& has) {
+  return has.rough_walls;
+}
 
 /// A number of the lower wall and one of the upper, 0 where there is none.
 template <class F>
@@ -38,6 +44,32 @@ Measurement wall_work() {
           .exists = with_walls,
           .values = [](System const& system) {
             return of_walls(system, [](Wall const& wall) { return wall.work; });
+          }};
+}
+
+Measurement wall_drag() {
+  return {.name = "wall_drag",
+          .meaning = "momentum that the friction of each wall has given to the fluid so far",
+          .components = vectors_of_both,
+          .dimension = Dimension::momentum,
+          .exists = with_rough_walls,
+          .values = [](System const& system) {
+            std::vector<double> values(6);
+            for (auto const& wall : system.walls)
+              for (int axis = 0; axis < 3; ++axis)
+                values[3 * wall.upper + static_cast<std::size_t>(axis)] = component(wall.drag, axis);
+            return values;
+          }};
+}
+
+Measurement wall_heat() {
+  return {.name = "wall_heat",
+          .meaning = "heat that has come from each wall into the fluid so far",
+          .components = lower_and_upper,
+          .dimension = Dimension::energy,
+          .exists = with_rough_walls,
+          .values = [](System const& system) {
+            return of_walls(system, [](Wall const& wall) { return wall.heat; });
           }};
 }
 

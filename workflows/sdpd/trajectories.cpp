@@ -19,7 +19,7 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
     now.q[i] *= length, now.p[i] *= velocity;
   ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.step()),
                       .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
-                      .box = Box{simulation.box().edge * length},
+                      .box = Box{simulation.box().edge * length, simulation.box().periodic},
                       .positions = std::move(now.q),
                       .velocities = std::move(now.p),
                       .scalars = {}};
@@ -60,6 +60,11 @@ void make_way(std::filesystem::path const& file, std::int64_t every, std::int64_
     throw EnvironmentError(fmt::format("cannot rename '{}': {}", file.string(), error.message()));
 }
 
+std::array<bool, 3> periodic_axes(Scene const& scene) {
+  auto const& box = scene.box;
+  return {box.x == "periodic", box.y == "periodic", box.z == "periodic"};
+}
+
 H5mdWriter::Units h5md_units(bool si) {
   // The frames are in nm and ps already.
   return {.length = 1, .time = 1, .physical = si};
@@ -80,7 +85,7 @@ Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& fold
   }
   if (schedule_.trajectory_every > 0)
     h5md_.emplace(past.h5md > 0 ? H5mdWriter::continue_file(h5, h5md_units(si_))
-                                : H5mdWriter(h5, h5md_units(si_), provenance));
+                                : H5mdWriter(h5, h5md_units(si_), provenance, periodic_axes(scene)));
   if (schedule_.vtkhdf_every > 0)
     vtkhdf_.emplace(past.vtkhdf > 0 ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)

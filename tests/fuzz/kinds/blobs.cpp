@@ -1,5 +1,6 @@
 #include "fuzz/change_hdf5.hpp"
 #include "fuzz/kinds/kinds.hpp"
+#include "random_blobs.hpp"
 #include "workflows/star/blob_file.hpp"
 
 namespace mesobridge::fuzz {
@@ -8,21 +9,10 @@ namespace {
 constexpr int molecules = 27, frames = 240;
 
 std::vector<cg::BlobFrame> frames_of(std::uint64_t seed) {
-  std::mt19937_64 bits(seed);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> place(0, 12);
-  std::gamma_distribution<double> energy(40, 1);
+  tests::RandomBlobs random(12, seed);
   std::vector<cg::BlobFrame> all;
-  for (int f = 0; f < frames; ++f) {
-    cg::BlobFrame frame{.step = 10 * f, .time = 0.5 * f, .box = {{12, 12, 12}}, .blobs = {}};
-    for (int m = 0; m < molecules; ++m)
-      frame.blobs.push_back({.R = {place(bits), place(bits), place(bits)},
-                             .P = {5 * normal(bits), 5 * normal(bits), 5 * normal(bits)},
-                             .U_kin = energy(bits),
-                             .U_pot = energy(bits),
-                             .Phi = normal(bits)});
-    all.push_back(std::move(frame));
-  }
+  for (int f = 0; f < frames; ++f)
+    all.push_back(random.frame(f, molecules));
   return all;
 }
 

@@ -1,6 +1,7 @@
-#include "sdpd/boundary/wall_friction.hpp"
 #include "cg/estimate.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "same_bits.hpp"
+#include "sdpd/boundary/wall_friction.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/scheme/scheme.hpp"
@@ -122,28 +123,11 @@ TEST_P(EveryRoughlyWalledFluid, GainsTheWorkAndHeatOfItsWallsAndOfTheBodyForce) 
 }
 
 TEST_P(EveryRoughlyWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
-  auto settings = GetParam().settings;
-  Snapshot first;
-  std::vector<double> given;
-  for (int const threads : {1, 2, 4}) {
-    settings.threads = threads;
-    Simulation simulation(settings);
-    simulation.advance(30);
-    auto const checkpoint = simulation.checkpoint();
-    simulation.advance(20);
-    Simulation resumed(settings);
-    resumed.restore(checkpoint);
-    resumed.advance(20);
-    if (threads == 1)
-      first = simulation.snapshot();
-    for (auto const* one : {&simulation, &resumed}) {
-      auto const now = one->snapshot();
-      EXPECT_EQ(std::memcmp(now.p.data(), first.p.data(), now.p.size() * sizeof(Vec3)), 0) << threads;
-      EXPECT_EQ(now.eps, first.eps);
-      given.push_back(one->observe().given);
-    }
-  }
-  EXPECT_EQ(given, std::vector<double>(given.size(), given[0]));
+  expect_same_bits(GetParam().settings, 30, 20, [](Simulation const& at) {
+    auto values = flat(at.snapshot().p, at.snapshot().eps);
+    values.push_back(at.observe().given);
+    return values;
+  });
 }
 
 // Particles at rest in place: the velocities of each must take Maxwell's law about the wall's, exactly, at
@@ -248,8 +232,9 @@ TEST(WallFriction, WaitsForTheFluidToComeToEquilibrium) {
 TEST(BodyForce, GoesAsAWaveAndLeavesThroughTheSinkOfAKeptEnergy) {
   auto settings = ideal_gas(50, 0.02);
   settings.lattice = {8, 8, 8};
-  settings.body_force = {
-      .acceleration = {0.2 * settings.units().velocity() / settings.units().time(), 0, 0}, .across = 2, .waves = 1};
+  settings.body_force = {.acceleration = {0.2 * settings.units().velocity() / settings.units().time(), 0, 0},
+                         .across = 2,
+                         .waves = 1};
   settings.scheme.keep_energy = true;
   Simulation simulation(settings);
   auto const before = simulation.observe();

@@ -1,5 +1,6 @@
 #include "cg/estimate.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "same_bits.hpp"
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/observe/virials.hpp"
@@ -100,29 +101,11 @@ TEST_P(EveryWalledFluid, BalancesMomentumToRoundOffAndEnergyByTheWork) {
 }
 
 TEST_P(EveryWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
-  auto settings = GetParam().settings;
-  Snapshot first;
-  std::vector<double> work;
-  for (int const threads : {1, 2, 4}) {
-    settings.threads = threads;
-    Simulation simulation(settings);
-    simulation.advance(40);
-    auto const checkpoint = simulation.checkpoint();
-    simulation.advance(20);
-    Simulation resumed(settings);
-    resumed.restore(checkpoint);
-    resumed.advance(20);
-    if (threads == 1)
-      first = simulation.snapshot();
-    for (auto const* one : {&simulation, &resumed}) {
-      auto const now = one->snapshot();
-      EXPECT_EQ(std::memcmp(now.q.data(), first.q.data(), now.q.size() * sizeof(Vec3)), 0) << threads;
-      EXPECT_EQ(now.eps, first.eps);
-      EXPECT_EQ(one->wall_time(), simulation.wall_time());
-      work.push_back(one->walls()[0].work);
-    }
-  }
-  EXPECT_EQ(work, std::vector<double>(work.size(), work[0]));
+  expect_same_bits(GetParam().settings, 40, 20, [](Simulation const& at) {
+    auto values = flat(at.snapshot().q, at.snapshot().eps);
+    values.insert(values.end(), {at.wall_time(), at.walls()[0].work});
+    return values;
+  });
 }
 
 // The pressure, too, is that of the fluid and its images, and the walls feel it.

@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/extended_xyz.hpp"
+#include "workflows/h5md.hpp"
 #include "workflows/store/seal.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/vtkhdf.hpp"
@@ -128,6 +129,20 @@ TEST(ExtendedXyz, NumbersReadBackAsTheSameBits) {
     ++read;
   }
   EXPECT_EQ(read, particles);
+}
+
+// Edges that end at walls or vacuum are not periodic for whoever reads the file.
+TEST(Trajectories, SayWhichEdgesArePeriodic) {
+  ScratchDirectory const scratch;
+  auto open = frame(0);
+  open.box.periodic = {true, false, true};
+  ExtendedXyzWriter xyz(scratch / "t.xyz");
+  xyz.append(open);
+  xyz.close();
+  EXPECT_NE(read_text_file(scratch / "t.xyz").find("pbc=\"T F T\""), std::string::npos);
+  H5mdWriter(scratch / "t.h5", H5mdWriter::Units::si(), {}, open.box.periodic).close();
+  EXPECT_EQ(Store(scratch / "t.h5", Store::Mode::read).read_text_attributes("particles/all/box", "boundary"),
+            (std::vector<std::string>{"periodic", "none", "periodic"}));
 }
 
 TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "random_blobs.hpp"
 #include "unit/fitting/synthetic_grid.hpp"
 #include "workflows/lj/grid_file.hpp"
 #include "workflows/lj/state_grid_file.hpp"
@@ -48,21 +49,10 @@ inline void write_many_blobs(std::filesystem::path const& file, std::string cons
       .T = melt ? 0.0 : 1.0,
       .set = std::vector<double>(melt ? 0 : static_cast<unsigned>(molecules), 1.0)};
   workflows::BlobFile blobs(file, head, {.command = "test", .seed = 1, .scene = "", .inputs = {}});
-  std::mt19937_64 bits(5);
-  std::normal_distribution<double> normal;
-  double const edge = std::cbrt(19 * molecules / 0.3);
-  std::uniform_real_distribution<double> place(0, edge);
-  std::gamma_distribution<double> energy(40, 1);
+  RandomBlobs random(std::cbrt(19 * molecules / 0.3), 5);
   std::vector<cg::BlobFrame> some; // each call waits for the disk
   for (int f = 0; f < frames; ++f) {
-    cg::BlobFrame frame{.step = 10 * f, .time = 0.5 * f, .box = {{edge, edge, edge}}, .blobs = {}};
-    for (int m = 0; m < molecules; ++m)
-      frame.blobs.push_back({.R = {place(bits), place(bits), place(bits)},
-                             .P = {5 * normal(bits), 5 * normal(bits), 5 * normal(bits)},
-                             .U_kin = energy(bits),
-                             .U_pot = energy(bits),
-                             .Phi = normal(bits)});
-    some.push_back(std::move(frame));
+    some.push_back(random.frame(f, molecules));
     if (some.size() == 500 || f + 1 == frames)
       blobs.append(some), some.clear();
   }

@@ -14,69 +14,63 @@ std::vector<SceneKey> box_keys() {
   Table const box{"box", &Scene::box};
   auto const face = [&](char axis, std::string Scene::Box::*member) {
     return box(std::string(1, axis), member,
-               fmt::format(
-                   "its faces across {}: periodic; walls, which mirror the fluid and slip; or open to vacuum",
-                   axis))
-        .choices({"periodic", "walls", "open"})
-        .written_if(is_not_plain);
+               fmt::format("its faces across {}: periodic; walls, which mirror the fluid; or open to vacuum",
+                           axis))
+        .choices({"periodic", "walls", "open"});
   };
-  return {
+  std::vector<SceneKey> keys{
       box("lattice", &Scene::Box::lattice,
           "particles along x, y and z at the start, N in all; if not given, as cubic as N allows")
-          .in({.min = 1, .max = 4e9})
-          .written_if(is_not_plain),
+          .in({.min = 1, .max = 4e9}),
       box("size", &Scene::Box::size, "its edges along x, y and z, in place of particles.N: as many as fit")
-          .quantity(Dimension::length, positive)
-          .written_if(is_not_plain),
+          .quantity(Dimension::length, positive),
       face('x', &Scene::Box::x),
       face('y', &Scene::Box::y),
       face('z', &Scene::Box::z),
       box("piston", &Scene::Box::piston,
           "velocity of the lower wall, into the fluid, after the equilibration")
-          .quantity(Dimension::velocity, any_number)
-          .written_if(is_not_plain),
+          .quantity(Dimension::velocity, any_number),
       box("ramp", &Scene::Box::ramp,
           "time in which the piston comes to its velocity, or it overheats the fluid before it for ever; too "
           "long, and "
           "there is no shock at first. Best are some 8 mean distances between particles over the velocity of "
           "the shock, "
           "which is the default for sdpd; 0 for dpde and dpd")
-          .quantity(Dimension::time, not_negative)
-          .written_if(is_not_plain),
+          .quantity(Dimension::time, not_negative),
       box("slip", &Scene::Box::slip,
-          "\"none\": walls with the friction of the fluid, and the noise of their temperature; \"free\": mirrors "
+          "\"none\": walls with the friction of the fluid, and the noise of their temperature; \"free\": "
+          "mirrors "
           "alone, which take no heat")
-          .choices({"free", "none"})
-          .written_if(is_not_plain),
+          .choices({"free", "none"}),
       box("wall_temperature", &Scene::Box::wall_temperature,
           "of walls with slip = \"none\"; that of the fluid, if not given")
-          .quantity(Dimension::temperature, positive)
-          .written_if(is_not_plain),
+          .quantity(Dimension::temperature, positive),
       box("wall_friction", &Scene::Box::wall_friction,
-          "factor of the friction with walls of slip = \"none\"; if not given, one that makes up for what moving "
+          "factor of the friction with walls of slip = \"none\"; if not given, one that makes up for what "
+          "moving "
           "particles carry: 1 for viscous fluids, more where they fly far")
-          .in(positive)
-          .written_if(is_not_plain),
+          .in(positive),
       box("slide", &Scene::Box::slide,
-          "velocity of the upper wall along the flow, with slip = \"none\", after the equilibration: Couette's "
+          "velocity of the upper wall along the flow, with slip = \"none\", after the equilibration: "
+          "Couette's "
           "flow")
-          .quantity(Dimension::velocity, any_number)
-          .written_if(is_not_plain),
+          .quantity(Dimension::velocity, any_number),
       box("body_force", &Scene::Box::body_force,
           "acceleration of all particles along the flow, after the equilibration: between walls Poiseuille's "
           "flow. Without walls to take the heat, sdpd and dpde need energy = \"kept\", which does")
-          .quantity(Dimension::acceleration, any_number)
-          .written_if(is_not_plain),
+          .quantity(Dimension::acceleration, any_number),
       box("waves", &Scene::Box::waves,
-          "of the body force, which goes as a cosine along z (along x if the flow is along z), in the length of "
+          "of the body force, which goes as a cosine along z (along x if the flow is along z), in the length "
+          "of "
           "a periodic box; 0: it is the same everywhere")
-          .in({.min = 0, .max = 100})
-          .written_if(is_not_plain),
+          .in({.min = 0, .max = 100}),
       box("flow", &Scene::Box::flow,
           "the axis of slide and body_force; x, or y where the walls are across x, if not given")
-          .choices({"x", "y", "z"})
-          .written_if(is_not_plain),
+          .choices({"x", "y", "z"}),
   };
+  for (auto& key : keys)
+    key.written = is_not_plain;
+  return keys;
 }
 
 } // namespace mesobridge::workflows
