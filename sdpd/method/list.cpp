@@ -9,6 +9,9 @@ std::vector<NamedMethod> const& methods() {
     std::vector<NamedMethod> all;
     for_each_method([&]<class Method>(std::type_identity<Method>) {
       all.push_back({Method::name, Method::title, Method::help, Method::features});
+      if constexpr (requires { Method::name_without_noise; })
+        all.push_back({Method::name_without_noise, Method::title_without_noise, Method::help_without_noise,
+                       Method::features, false});
     });
     return all;
   }();

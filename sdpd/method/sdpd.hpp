@@ -14,6 +14,12 @@ struct SimulationSettings;
 struct Sdpd {
   static constexpr std::string_view name = "sdpd", title = "SDPD",
                                     help = "particles of fluid with an equation of state";
+  static constexpr std::string_view
+      name_without_noise = "sph",
+      title_without_noise = "SPH",
+      help_without_noise = "the same without noise: viscous smoothed particle hydrodynamics, which "
+                           "starts at rest and whose densities are plain unless the scene says "
+                           "otherwise";
   static constexpr Features features{.energies = true, .densities = true};
   static constexpr NumberRange sizes{.min = 1}, supports{.min = 1, .max = 10}; ///< of K and h_factor
 

@@ -25,6 +25,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::
   return {.method = std::move(method),
           .lattice = {options.side, options.side, options.along > 0 ? options.along : options.side},
           .disorder = 0.15,
+          .noise = sdpd::method_named(options.method).noise,
           .scheme = {.pairs = options.scheme, .verlet_steps = options.fluctuate_every},
           .threads = threads};
 }

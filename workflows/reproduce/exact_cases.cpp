@@ -78,7 +78,7 @@ Scene tube_scene(TubeCase const& of, std::int64_t n) {
   scene.transport.eta = 0.75 * 0.5 * flux_of(exact, left, right) * spacing; // Re_l = 2
   auto const steps = static_cast<std::int64_t>(std::ceil(time / dt));
   scene.scheme.dt = {.value = time / static_cast<double>(steps), .reduced = false};
-  scene.scheme.noise = "off";
+  scene.method.name = "sph";
   scene.run = {.steps = steps, .sample_every = std::max<std::int64_t>(1, steps / 40)};
   scene.profile = {.axis = "z", .bins = n / 2, .every = steps};
   return scene;

@@ -58,7 +58,7 @@ Scene sound_scene(std::string const& eos, double rho, double T, std::int64_t n) 
   scene.particles.density = "plain";
   scene.box.lattice = {10, 10, n};
   scene.transport.eta = 0.75 * 2 * relative_damping * rho * state.sound_speed.value() / k;
-  scene.scheme.noise = "off";
+  scene.method.name = "sph";
   scene.scheme.dt = {.value = 0.1 * spacing / state.sound_speed.value(), .reduced = false};
   return scene;
 }

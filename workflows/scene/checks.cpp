@@ -160,7 +160,7 @@ void check_keys(std::type_identity<Method>, Scene const& scene, Places const& pl
 void check_scheme(Scene const& scene, Places const& places) {
   auto const& scheme = scene.scheme;
   auto const particles = scene.features();
-  auto const why = sdpd::refusal(sdpd::pair_integrator(scheme.name), particles, scheme.noise == "on");
+  auto const why = sdpd::refusal(sdpd::pair_integrator(scheme.name), particles, scene.noise());
   require_together(!why, places, "scheme.name", scheme.name, why.value_or(""));
   require_together(particles.energies || scheme.energy == "free", places, "scheme.energy", scheme.energy,
                    "the particles have no internal energies that could give or take energy");

@@ -37,6 +37,10 @@ sdpd::Features Scene::features() const {
   return features;
 }
 
+bool Scene::noise() const {
+  return sdpd::method_named(method.name).noise;
+}
+
 bool SceneKey::belongs_to(std::string const& method) const {
   return methods.empty() || std::ranges::find(methods, method) != methods.end();
 }

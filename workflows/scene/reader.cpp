@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/checks.hpp"
+#include "workflows/scene/former_keys.hpp"
 #include "workflows/scene/keys.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/slot_reader.hpp"
@@ -179,12 +180,14 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
   Places places(file.string());
   for (auto const& assignment : overrides)
     apply_override(table, assignment, places);
+  auto const notes = read_former_keys(table, places);
   refuse_unknown(table, places);
   Scene scene; // `units` and the method stand first in the table, before the keys that depend on them
   if (auto const* const tables = table.get_as<toml::array>(regions))
     scene.regions.resize(tables->size());
   for (auto const& key : all_keys(scene))
     read_key(key, table, places, file, scene);
+  scene.notes.insert(scene.notes.begin(), notes.begin(), notes.end());
   resolve_model_paths(scene, file.parent_path(), places);
   resolve_pair_files(scene, file.parent_path(), places);
   check_together(scene, places);

@@ -139,7 +139,6 @@ struct Scene {
     std::string conservative = "verlet";
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
-    std::string noise = "on";
     std::optional<std::string> drift, bias;   ///< wishes for an automatic time step
     std::optional<std::string> dt_chosen_for; ///< the wish that a chosen time step fulfils
     bool operator==(Scheme const&) const = default;
@@ -180,6 +179,7 @@ struct Scene {
   bool operator==(Scene const&) const = default;
 
   sdpd::Features features() const; ///< of the method's particles
+  bool noise() const;              ///< whether the method's particles fluctuate
 };
 
 /// Reads and checks a scene file; each override is "section.key=value" and wins over the file.

@@ -25,7 +25,7 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   auto const& density = scene.particles.density;
   if (density.starts_with("calibrated"))
     return density == "calibrated" ? sdpd::ScaleCondition::pressure : sdpd::ScaleCondition::response;
-  if (density != "auto" || scene.scheme.noise == "off" ||
+  if (density != "auto" || !scene.noise() ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
   return sdpd::suitable_condition(settings_of(without_regions(scene), 1));

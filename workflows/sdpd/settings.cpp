@@ -143,7 +143,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .T = scene.fluid.T,
       .lattice = particles_along_edges(scene),
       .disorder = scene.particles.disorder,
-      .noise = scene.scheme.noise == "on",
+      .noise = scene.noise(),
       .dt = scene.scheme.dt.value,
       .scheme = scheme_of(scene),
       .bath_rate = scene.run.thermostat == "langevin" ? scene.run.bath_rate : 0,

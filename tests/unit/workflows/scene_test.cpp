@@ -108,8 +108,8 @@ TEST(Scene, CalibratesItsDensitiesUnlessThatMakesNoSense) {
       {{"particles.density=glass"}, false},
       {{"particles.density_scale=1.02", "particles.density_self=0.2"}, false}, // found before
       {{"particles.density=calibrated"}, true},
-      {{"scheme.noise=off"}, false},
-      {{"scheme.noise=off", "particles.density=calibrated"}, true},
+      {{"method.name=sph"}, false},
+      {{"method.name=sph", "particles.density=calibrated"}, true},
       {{"scheme.conservative=none"}, false},
       {{"fluid.rho=1400 kg/m^3", "fluid.T=87 K"}, true},                     // by the response
       {{"fluid.eos=water", "fluid.rho=900 kg/m^3", "fluid.T=300 K"}, false}, // under tension
@@ -145,6 +145,30 @@ TEST(Scene, ReadsWhatTextsWereCalledBefore) {
   auto const now = parse_scene(resolved_toml(old), "r.toml");
   EXPECT_EQ(now.scheme.conservative, "mclachlan");
   EXPECT_TRUE(now.notes.empty());
+}
+
+TEST(Scene, ReadsTheNoiseThatWasAKeyOfTheScheme) {
+  auto const old = parse_scene(good, "good.toml", {"scheme.noise=off"});
+  EXPECT_FALSE(old.noise());
+  ASSERT_EQ(old.notes.size(), 1u);
+  EXPECT_NE(old.notes[0].find("--set: scheme.noise = \"off\": is method.name = \"sph\" now"),
+            std::string::npos)
+      << old.notes[0];
+  auto const now = parse_scene(resolved_toml(old), "r.toml");
+  EXPECT_EQ(now.method.name, "sph");
+  EXPECT_TRUE(now.notes.empty());
+  EXPECT_TRUE(parse_scene(good, "good.toml", {"scheme.noise=on"}).noise());
+  int refused = 0;
+  for (auto const& [noise, method] :
+       {std::pair("off", "dpd"), {"on", "sph"}, {"maybe", "sdpd"}, {"1", "sdpd"}})
+    try {
+      parse_scene(good, "good.toml",
+                  {fmt::format("scheme.noise={}", noise), fmt::format("method.name={}", method)});
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find("--set: scheme.noise"), std::string::npos) << error.what();
+      ++refused;
+    }
+  EXPECT_EQ(refused, 4);
 }
 
 TEST(Scene, ReadsWholeNumbersThatNoDoubleHolds) {

@@ -110,7 +110,7 @@ TEST_F(CheckAndRun, RefuseTheSameInTheSameWords) {
       {"sdpd", {"scheme.dt=auto", "scheme.bias=twice"}, "scheme.bias"},
       {"sdpd", {"scheme.dt=auto", "scheme.bias=\"1%\"", "particles.N=216"}, "343"},
       {"sdpd", {"scheme.dt=1e-300 s"}, "scheme.dt"},
-      {"sdpd", {"scheme.noise=off", "scheme.name=ems"}, "noise"},
+      {"sdpd", {"method.name=sph", "scheme.name=ems"}, "noise"},
       {"dpde", {"particles.N=8"}, "particles.N"},
       {"dpde", {"friction.cutoff=1e-300"}, "cut-off"},
       {"dpde", {"friction.cutoff=1e300"}, ""},

@@ -18,7 +18,9 @@ struct Line {
   }
   template <class... Methods>
   Line of() && {
-    return key.methods = {std::string(Methods::name)...}, std::move(*this);
+    for (auto const& names : {sdpd::names_of<Methods>()...})
+      key.methods.insert(key.methods.end(), names.begin(), names.end());
+    return std::move(*this);
   }
   Line written_if(std::function<bool(Scene const&)> condition) && {
     return key.written = std::move(condition), std::move(*this);

@@ -64,12 +64,6 @@ std::vector<SceneKey> scheme_keys() {
       scheme("energy", &Scene::Scheme::energy,
              "free, or kept: what the time step loses is given back to the internal energies")
           .choices({"free", "kept"}),
-      scheme(
-          "noise", &Scene::Scheme::noise,
-          "on, or off: viscous smoothed particle hydrodynamics, which starts at rest and whose densities are "
-          "plain unless the scene says otherwise")
-          .choices({"on", "off"})
-          .of<sdpd::Sdpd>(),
   };
 }
 
