@@ -132,9 +132,9 @@ std::vector<double> progress_to_draw(double last) {
   require(last > zone_end && last < 1, "last progress of the profile", last,
           fmt::format("must lie between {} and 1", zone_end));
   std::vector<double> progress;
-  constexpr int steps_to_end = 196; // of 0.005
-  for (int i = 0; i <= steps_to_end; ++i)
-    progress.push_back(zone_end * i / steps_to_end);
+  constexpr int parts = 200;
+  for (int i = 0; i <= std::lround(zone_end * parts); ++i)
+    progress.push_back(double(i) / parts);
   constexpr double ratio = 0.9; // of what is left, from there on
   for (double left = ratio * (1 - zone_end); left > (1 - last) / ratio; left *= ratio)
     progress.push_back(1 - left);
