@@ -65,7 +65,7 @@ class PackedMixture {
   }
 
   /// The split at the given energies or entropies, from that of near states, and the lanes that were solved:
-  /// the last step was below 1e-7, which leaves round-off only.
+  /// the last step was below 1e-8, which leaves round-off only.
   struct Solution {
     PackedSplit split;
     PackMask solved;
@@ -89,7 +89,7 @@ class PackedMixture {
 
   template <class F>
   Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& equation) const {
-    constexpr double last_step = 1e-7, longest_step = 0.5;
+    constexpr double last_step = 1e-8, longest_step = 0.5;
     constexpr int most_steps = 12;
     PackMask running = ~PackMask{}, solved{};
     for (int step = 0; step < most_steps && !all_of(~running); ++step) {

@@ -73,7 +73,7 @@ template <EquationOfState Reactant, EquationOfState Product>
 std::optional<MixtureState> Mixture<Reactant, Product>::newton_steps(Problem const& p,
                                                                      MixtureSplit split) const {
   // The error after a step is of second order.
-  constexpr double last_step = 1e-7, longest_step = 0.5;
+  constexpr double last_step = 1e-8, longest_step = 0.5;
   constexpr int most_steps = 40;
   bool converged = false;
   for (int iteration = 0; iteration < most_steps && split.T > 0; ++iteration) {

@@ -48,12 +48,15 @@ Columns zone_columns(std::vector<fitting::ZonePoint> const& points) {
   return columns;
 }
 
-/// Pressure, temperature and progress over the distance behind the front, to a little beyond the end of the
-/// zone.
+/// Pressure, temperature and progress over the distance behind the front, to twice that of the zone's end.
 Plot zone_plot(std::string const& title, std::vector<fitting::ZonePoint> const& points) {
   constexpr double nm = 1e-9, GPa = 1e9;
   Series P{.style = SeriesStyle::lines}, T = P, lambda = P;
+  double const last =
+      2 * std::ranges::find_if(points, [](auto const& p) { return p.lambda >= fitting::zone_end; })->x;
   for (auto const& point : points) {
+    if (point.x > last)
+      break;
     for (auto* const series : {&P, &T, &lambda})
       series->x.push_back(point.x / nm);
     P.y.push_back(point.state.P / GPa);
