@@ -43,8 +43,8 @@ void check_values(Checkpoint const& c, Box const& box) {
   }
   for (auto const& field : fields)
     for (double const value : c.particles.*field.values)
-      require(value > 0 || !field.positive, fmt::format("a value of {} in the checkpoint", field.name), value,
-              "must be > 0");
+      require(field.range.contains(value), fmt::format("a value of {} in the checkpoint", field.name), value,
+              field.range.demand());
 }
 
 /// What a checkpoint keeps of the particles.

@@ -1,6 +1,7 @@
 #pragma once
 #include "md/box.hpp"
 #include "md/dimension.hpp"
+#include "md/number_range.hpp"
 #include "sdpd/state/caloric.hpp"
 #include <array>
 #include <cstdint>
@@ -55,7 +56,7 @@ struct Field {
   bool checkpointed = false; ///< a run cannot go on without it: the others follow from these
   bool written = false;      ///< in trajectories, and histograms may count it
   bool profiled = false;     ///< profiles may show its mean over a slice, under its own name
-  bool positive = false;     ///< no other value makes sense
+  NumberRange range = any_number; ///< no other value makes sense
 };
 
 inline constexpr std::array fields{
@@ -81,7 +82,7 @@ inline constexpr std::array fields{
           .feature = &Features::energies,
           .checkpointed = true,
           .written = true,
-          .positive = true},
+          .range = positive},
     Field{.name = "P",
           .values = &Particles::P,
           .dimension = Dimension::pressure,
@@ -91,7 +92,7 @@ inline constexpr std::array fields{
           .values = &Particles::mass,
           .dimension = Dimension::mass,
           .feature = &Features::masses,
-          .positive = true},
+          .range = positive},
 };
 
 inline void Particles::resize(std::size_t n, Features const& has) {
