@@ -17,6 +17,7 @@ struct Features {
   bool energies = true;  ///< SDPD, DPDE
   bool densities = true; ///< SDPD; without them temperatures average harmonically
   bool masses = false;   ///< several species: each particle has a mass of its own
+  bool reacts = false;   ///< a reactant becomes a product
   bool walls = false;    ///< the box has some
   bool rough_walls = false; ///< with friction
   bool body_force = false;
@@ -37,6 +38,7 @@ struct Particles {
   std::vector<double> T;              ///< internal temperature
   std::vector<double> P;              ///< pressure
   std::vector<double> mass;
+  std::vector<double> progress; ///< lambda, the product's share of the mass, of what reacts
   std::vector<Vec3> f; ///< conservative force
   std::vector<Caloric> caloric;
 
@@ -93,6 +95,14 @@ inline constexpr std::array fields{
           .dimension = Dimension::mass,
           .feature = &Features::masses,
           .range = positive},
+    Field{.name = "progress",
+          .values = &Particles::progress,
+          .dimension = Dimension::number,
+          .feature = &Features::reacts,
+          .checkpointed = true,
+          .written = true,
+          .profiled = true,
+          .range = {.min = 0, .max = 1}},
 };
 
 inline void Particles::resize(std::size_t n, Features const& has) {
