@@ -39,6 +39,7 @@ struct Particles {
   std::vector<double> P;              ///< pressure
   std::vector<double> mass;
   std::vector<double> progress; ///< lambda, the product's share of the mass, of what reacts
+  std::vector<double> log_density_ratio; ///< ln(rho_1/rho_0) of product and reactant in what is a mixture
   std::vector<Vec3> f; ///< conservative force
   std::vector<Caloric> caloric;
 
@@ -103,6 +104,11 @@ inline constexpr std::array fields{
           .written = true,
           .profiled = true,
           .range = {.min = 0, .max = 1}},
+    Field{.name = "log_density_ratio",
+          .values = &Particles::log_density_ratio,
+          .dimension = Dimension::number,
+          .feature = &Features::reacts,
+          .checkpointed = true},
 };
 
 inline void Particles::resize(std::size_t n, Features const& has) {
