@@ -52,6 +52,8 @@ System empty_system(SimulationSettings const& s) {
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads, open_axes(s.faces)),
           .walls = make_walls(s.faces, box_of(s).edge, s.units()),
           .body_force = in_units(s.body_force, s.units()),
+          .reaction = std::move(parts.reaction),
+          .particles = {},
           .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};
@@ -65,6 +67,8 @@ void fill(System& system, SimulationSettings const& s) {
     system.species_of_id = draw_species(system.species, s.particle_count(), s.seed);
   system.label_particles();
   std::fill(particles.T.begin(), particles.T.end(), 1.0);
+  if (system.reaction)
+    std::fill(particles.progress.begin(), particles.progress.end(), s.as<Sdpd>().reaction->progress);
   put_before_walls(system);
   if (s.noise)
     draw_momenta(particles, {}, system.boltzmann, s.seed);
@@ -85,6 +89,9 @@ void fill(System& system, SimulationSettings const& s, Layout const& layout) {
     for (auto const region : regions)
       system.species_of_id.push_back(layout.regions()[region].species);
   system.label_particles();
+  if (system.reaction)
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      particles.progress[i] = layout.regions()[regions[i]].progress;
   let_flow(particles, layout, regions);
   put_before_walls(system);
   if (s.noise)

@@ -38,6 +38,7 @@ Features SimulationSettings::features() const {
       [&](auto const& of) {
         Features features = of.features;
         features.masses = !of.species.empty();
+        features.reacts = of.reacts();
         features.walls = has_walls(faces), features.rough_walls = has_rough_walls(faces);
         features.body_force = body_force.acts();
         return features;

@@ -7,6 +7,7 @@
 #include "workflows/scene/box_checks.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
+#include "workflows/scene/reaction_checks.hpp"
 #include "workflows/scene/region_checks.hpp"
 #include "workflows/scene/wish.hpp"
 #include <algorithm>
@@ -52,6 +53,10 @@ void check_fluid(Scene const& scene, Places const& places) {
   auto const& fluid = scene.fluid;
   check_model(scene, places, fluid.eos, "fluid.eos", scene.particles.K, "particles.K");
   bool ideal = fluid.eos == "ideal-gas";
+  if (auto const& product = scene.reaction.product) {
+    check_model(scene, places, *product, "reaction.product", scene.particles.K, "particles.K");
+    ideal = ideal || *product == "ideal-gas";
+  }
   for (std::size_t k = 0; k < scene.regions.size(); ++k) {
     auto const& region = scene.regions[k];
     auto const eos = region.eos.value_or(fluid.eos);
@@ -136,6 +141,8 @@ void resolve_model_paths(Scene& scene, std::filesystem::path const& folder, Plac
   if (!scene.features().densities)
     return;
   resolve_model_path(scene.fluid.eos, "fluid.eos", folder, places);
+  if (auto& product = scene.reaction.product)
+    resolve_model_path(*product, "reaction.product", folder, places);
   for (std::size_t k = 0; k < scene.regions.size(); ++k)
     if (auto& eos = scene.regions[k].eos)
       resolve_model_path(*eos, fmt::format("region.{}.eos", k + 1), folder, places);
@@ -146,6 +153,7 @@ namespace {
 void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
+  check_reaction(scene, places);
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,

@@ -100,6 +100,7 @@ struct Scene {
     std::optional<double> radius;
     std::optional<std::string> eos;
     std::optional<double> K, rho, T, mass, heat_capacity; ///< those of the fluid if not given
+    std::optional<double> progress;
     std::vector<double> velocity, velocity_gradient;
     bool operator==(Region const&) const = default;
   };
@@ -108,6 +109,16 @@ struct Scene {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;
   } transport;
+  struct Reaction {                      ///< sdpd
+    std::optional<std::string> product;  ///< as fluid.eos, which is the reactant; without it nothing reacts
+    std::optional<double> heat, heat_per_molecule; ///< one of the two
+    std::string volumes = "additive";
+    std::string kinetics = "second-order";
+    ParameterValues parameters; ///< see sdpd::kinetics()
+    std::string weights = "kernel", integrator = "midpoint";
+    double progress = 0; ///< at the start
+    bool operator==(Reaction const&) const = default;
+  } reaction;
   struct Potential { ///< dpd, dpde
     std::string name = "none";
     ParameterValues parameters; ///< see sdpd::potentials()

@@ -88,6 +88,7 @@ class Reader {
 
   /// Impulse and work of the lower and the upper wall, and their time, where there are walls.
   std::vector<double> walls() const { return doubles_if_there("walls", 5); }
+  std::vector<double> reaction() const { return doubles_if_there("reaction", 1); } ///< its time
   /// Drag and heat of both walls, where there are any, and the body force's work and sink.
   std::vector<double> flow() const { return doubles_if_there("flow", store_.contains("walls") ? 10 : 2); }
 
@@ -165,6 +166,8 @@ void write_datasets(Store& store, sdpd::Checkpoint const& c, Provenance const& p
     store.write("walls", c.walls);
   if (!c.flow.empty())
     store.write("flow", c.flow);
+  if (!c.reaction.empty())
+    store.write("reaction", c.reaction);
   store.write("equilibration", std::array{static_cast<double>(equilibration.done), equilibration.sum_T_kin,
                                           equilibration.sum_T_int});
   write_provenance(store, provenance);
@@ -189,7 +192,8 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .pair_counts = reader.pair_counts("pair_counts"),
                          .conduction_counts = reader.pair_counts("conduction_counts"),
                          .walls = reader.walls(),
-                         .flow = reader.flow()},
+                         .flow = reader.flow(),
+                         .reaction = reader.reaction()},
           .scene = reader.scene(),
           .inputs = reader.inputs(),
           .equilibration = reader.equilibration(),

@@ -96,7 +96,7 @@ std::pair<double, double> RiemannProblem::undisturbed(double time) const {
 }
 
 std::optional<RiemannProblem> riemann_problem(Scene const& scene, sdpd::SimulationSettings const& settings) {
-  if (!settings.layout || !settings.features().densities)
+  if (!settings.layout || !settings.features().densities || settings.features().reacts)
     return std::nullopt;
   int const axis = scene.profile.axis[0] - 'x';
   auto const slices = slices_along(axis, *settings.layout);

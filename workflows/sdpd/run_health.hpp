@@ -5,7 +5,7 @@
 
 namespace mesobridge::workflows {
 
-/// Whether something keeps the fluid from equilibrium: a piston, or vacuum beyond an open face. It has then
+/// Whether something keeps the fluid from equilibrium: a piston, a reaction, or vacuum beyond an open face. It has then
 /// no one temperature that could be the scene's.
 bool is_driven(Scene const& scene);
 

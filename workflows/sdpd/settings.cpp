@@ -11,12 +11,23 @@
 
 namespace mesobridge::workflows {
 
-fitting::EosModel eos_model_of(Scene const& scene) {
-  auto model =
-      fitting::load_eos(scene.fluid.eos, [](std::string const& file) { return read_text_file(file); });
-  if (scene.fluid.eos == "ideal-gas" && scene.fluid.m0)
+namespace {
+
+fitting::EosModel eos_model_of(Scene const& scene, std::string const& eos) {
+  auto model = fitting::load_eos(eos, [](std::string const& file) { return read_text_file(file); });
+  if (eos == "ideal-gas" && scene.fluid.m0)
     model.eos = fitting::IdealGas(*scene.fluid.m0);
   return model;
+}
+
+} // namespace
+
+fitting::EosModel eos_model_of(Scene const& scene) {
+  return eos_model_of(scene, scene.fluid.eos);
+}
+
+fitting::AnyEos product_of(Scene const& scene) {
+  return eos_model_of(scene, scene.reaction.product.value()).eos;
 }
 
 fitting::AnyEos eos_of(Scene const& scene) {

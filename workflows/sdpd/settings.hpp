@@ -13,6 +13,8 @@ fitting::EosModel eos_model_of(Scene const& scene);
 /// The equation of state that a scene names: a built-in material, the ideal gas of its m0, or a fitted
 /// model's file. Throws InputError.
 fitting::AnyEos eos_of(Scene const& scene);
+/// Of the product of a scene that reacts.
+fitting::AnyEos product_of(Scene const& scene);
 
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
