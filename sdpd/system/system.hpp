@@ -28,7 +28,8 @@ struct System {
   AnyPairLaw law;                                       ///< friction and noise
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
-  std::vector<Wall> walls; ///< at those faces of the box that have one
+  std::vector<Wall> walls;         ///< at those faces of the box that have one
+  std::vector<WallCorner> corners; ///< where walls of several axes meet
   BodyForce body_force;
   Particles particles;
   double boltzmann;
