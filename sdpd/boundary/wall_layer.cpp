@@ -7,17 +7,20 @@ namespace {
 /// where there is none to walk along, one cell.
 struct Edge {
   int axis;
-  double length = 0;
+  double length = 1, inverse = 1;
   bool periodic = false;
   int cells = 1;
 
   explicit Edge(int along) : axis(along) {}
   Edge(Box const& box, int along, double range)
-      : axis(along), length(component(box.edge, along)), periodic(box.periodic[static_cast<unsigned>(along)]),
+      : axis(along), length(component(box.edge, along)), inverse(1 / length),
+        periodic(box.periodic[static_cast<unsigned>(along)]),
         cells(std::max(1, static_cast<int>(length / range))) {}
 
   int cell_of(double at) const { return static_cast<int>(std::clamp(at / length * cells, 0.0, cells - 1.0)); }
-  double nearest(double way) const { return periodic ? way - length * std::nearbyint(way / length) : way; }
+  double nearest(double way) const { return way - turns(way) * length; }
+  /// A periodic box is at least twice as long as the range: where the two ends are as near, it does not matter.
+  double turns(double way) const { return periodic ? std::nearbyint(way * inverse) : 0; }
 
   /// Calls f for the cell and those beside it, each once.
   template <class F>
@@ -36,10 +39,13 @@ struct Place {
   int cell_a, cell_b;
 };
 
-/// What the search for images works with, kept so that no step allocates.
+/// What the search for images works with, kept so that no step allocates: the places in the layer's order, and
+/// again cell after cell, in each in that order.
 struct Search {
   std::vector<Place> places;
-  std::vector<std::vector<Index>> in_cell;
+  std::vector<std::size_t> begin, next; ///< of the cells
+  std::array<std::vector<double>, 3> at;
+  std::vector<Index> particle;
 };
 
 /// The search behind one wall, or behind two or three of several axes at once: images of images.
@@ -47,21 +53,22 @@ template <std::size_t walls>
 class ImageSearch {
  public:
   ImageSearch(System const& system, std::array<Wall const*, walls> const& of)
-      : system_(system), walls_(of), range_(system.neighbours.range()), a_(free_edge(0)), b_(free_edge(1)) {
+      : system_(system), walls_(of), range_(system.neighbours.range()),
+        a_(free_edge(0)), b_(free_edge(1)),
+        axes_{axis(0), axis(1), axis(2)} {
     for (std::size_t k = 0; k < walls; ++k)
       now_[k] = of[k]->position(system.wall_time);
   }
 
   void find(WallLayer& layer) const {
     find_candidates(layer);
-    auto& [particles, images, candidates, renewal, position] = layer;
     thread_local Search of_caller;
-    auto& [places, in_cell] = of_caller; // the same for all threads of the loop below
-    place(layer, places, in_cell);
-    images.resize(std::max(images.size(), particles.size()));
-    for_each_index(particles.size(), system_.threads,
-                   [&, &particles = particles, &images = images, &places = places,
-                    &in_cell = in_cell](std::size_t k) { look(k, particles, places, in_cell, images[k]); });
+    auto& search = of_caller; // the same for all threads of the loop below
+    place(layer, search);
+    auto& images = layer.images;
+    images.resize(std::max(images.size(), layer.particles.size()));
+    for_each_index(layer.particles.size(), system_.threads,
+                   [&, &search = search](std::size_t k) { look(search, search.places[k], images[k]); });
   }
 
  private:
@@ -111,11 +118,8 @@ class ImageSearch {
   }
 
   /// Finds the layer's particles and puts them into cells.
-  void place(WallLayer& layer, std::vector<Place>& places, std::vector<std::vector<Index>>& in_cell) const {
-    layer.particles.clear(), places.clear();
-    in_cell.resize(static_cast<std::size_t>(a_.cells * b_.cells));
-    for (auto& some : in_cell)
-      some.clear();
+  void place(WallLayer& layer, Search& search) const {
+    layer.particles.clear(), search.places.clear();
     for (Index const i : layer.candidates) {
       Place here{};
       bool near = true;
@@ -130,39 +134,73 @@ class ImageSearch {
         here.at[walls] = component(q, a_.axis), here.cell_a = a_.cell_of(here.at[walls]);
       if constexpr (walls < 2)
         here.at[walls + 1] = component(q, b_.axis), here.cell_b = b_.cell_of(here.at[walls + 1]);
-      in_cell[cell(here.cell_a, here.cell_b)].push_back(static_cast<Index>(layer.particles.size()));
-      places.push_back(here);
+      search.places.push_back(here);
       layer.particles.push_back(i);
+    }
+    sort(layer, search);
+  }
+
+  void sort(WallLayer const& layer, Search& search) const {
+    auto& [places, begin, next, at, particle] = search;
+    begin.assign(static_cast<std::size_t>(a_.cells * b_.cells) + 1, 0);
+    for (auto const& here : places)
+      ++begin[cell(here.cell_a, here.cell_b) + 1];
+    for (std::size_t c = 1; c < begin.size(); ++c)
+      begin[c] += begin[c - 1];
+    next.assign(begin.begin(), begin.end() - 1);
+    for (auto& values : at)
+      values.resize(places.size());
+    particle.resize(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      auto const m = next[cell(places[k].cell_a, places[k].cell_b)]++;
+      for (std::size_t d = 0; d < 3; ++d)
+        at[d][m] = places[k].at[d];
+      particle[m] = layer.particles[k];
     }
   }
 
-  /// Finds the images that the k-th particle of the layer sees.
-  void look(std::size_t k, std::vector<Index> const& particles, std::vector<Place> const& places,
-            std::vector<std::vector<Index>> const& in_cell, std::vector<WallImage>& seen) const {
-    auto const& here = places[k];
+  /// Finds the images that one particle sees.
+  void look(Search const& search, Place const& here, std::vector<WallImage>& seen) const {
     seen.clear();
     b_.for_each_around(here.cell_b, [&](int y) {
       a_.for_each_around(here.cell_a, [&](int x) {
-        for (Index const other : in_cell[cell(x, y)]) {
-          auto const& there = places[other];
-          Vec3 r;
-          bool near = true;
-          for (std::size_t w = 0; w < walls; ++w) {
-            double const both = here.at[w] + there.at[w];
-            near &= both < range_;
-            component(r, walls_[w]->axis) = walls_[w]->upper ? -both : both;
-          }
-          if (!near)
-            continue;
-          if constexpr (walls < 3)
-            component(r, a_.axis) = a_.nearest(here.at[walls] - there.at[walls]);
-          if constexpr (walls < 2)
-            component(r, b_.axis) = b_.nearest(here.at[walls + 1] - there.at[walls + 1]);
-          if (norm2(r) < range_ * range_)
-            seen.push_back({particles[other], r});
-        }
+        look(search, here, search.begin[cell(x, y)], search.begin[cell(x, y) + 1], seen);
       });
     });
+  }
+
+  /// From the image of a place to another place, along the walls' normals and then along the other axes.
+  double way(std::size_t d, double here, double there) const {
+    if (d < walls)
+      return here + there;
+    return (d == walls ? a_ : b_).nearest(here - there);
+  }
+
+  /// Of the particles begin ... end-1 in the order of the cells: squares of distances first, which vectorises.
+  void look(Search const& search, Place const& here, std::size_t begin, std::size_t end,
+            std::vector<WallImage>& seen) const {
+    constexpr std::size_t at_once = 64;
+    std::array<double, at_once> r2;
+    for (; begin < end; begin += at_once) {
+      std::size_t const count = std::min(at_once, end - begin);
+      for (std::size_t m = 0; m < count; ++m) {
+        double const x = way(0, here.at[0], search.at[0][begin + m]), y = way(1, here.at[1], search.at[1][begin + m]),
+                     z = way(2, here.at[2], search.at[2][begin + m]);
+        r2[m] = x * x + y * y + z * z;
+      }
+      for (std::size_t m = 0; m < count; ++m)
+        if (r2[m] < range_ * range_)
+          seen.push_back({search.particle[begin + m], from_image(search, here, begin + m)});
+    }
+  }
+
+  Vec3 from_image(Search const& search, Place const& here, std::size_t m) const {
+    Vec3 r;
+    for (std::size_t d = 0; d < 3; ++d) {
+      double const one = way(d, here.at[d], search.at[d][m]);
+      component(r, axes_[d]) = d < walls && walls_[d]->upper ? -one : one;
+    }
+    return r;
   }
 
   System const& system_;
@@ -170,6 +208,7 @@ class ImageSearch {
   std::array<double, walls> now_{};
   double range_;
   Edge a_, b_;
+  std::array<int, 3> axes_; ///< of the walls, then the others
 };
 
 } // namespace

@@ -8,12 +8,13 @@ namespace {
 
 // A viscous ideal gas without noise that a body force drives along a square duct: in the mean over the cross
 // section 0.035144 rho g L^2/eta, on the axis 0.073671 of it, by the series of White, Viscous Fluid Flow,
-// section 3-3; between two planes their ratio would be 2/3.
+// section 3-3; between two planes their ratio would be 2/3. (In a lattice without disorder, rows of particles slide
+// past each other with less friction.)
 TEST(Duct, HasTheVelocitiesOfPoiseuillesFlow) {
   auto s = ideal_gas(100, 0.05);
   s.as<Sdpd>().kernel = "wendland-c4";
   s.as<Sdpd>().eta = s.units().viscosity();
-  s.lattice = {6, 14, 14}, s.disorder = 0, s.noise = false;
+  s.lattice = {6, 14, 14}, s.disorder = 0.2, s.noise = false;
   auto const along_y = walls_along(1), along_z = walls_along(2);
   s.faces[1] = along_y[1], s.faces[2] = along_z[2];
   double const strength = usual_wall_friction(s);
@@ -34,9 +35,9 @@ TEST(Duct, HasTheVelocitiesOfPoiseuillesFlow) {
   }
   EXPECT_GT(on_axis, 10);
   double const unit = g * L * L;
-  EXPECT_NEAR(mean / unit / 0.035144, 1, 0.06);
-  EXPECT_NEAR(axis / on_axis / unit / 0.073034, 1, 0.06); // 0.073671 on the axis itself
-  EXPECT_NEAR(mean / (axis / on_axis) / (0.035144 / 0.073034), 1, 0.03);
+  EXPECT_NEAR(mean / unit / 0.035144, 1, 0.05);
+  EXPECT_NEAR(axis / on_axis / unit / 0.073034, 1, 0.07); // 0.073671 on the axis itself
+  EXPECT_NEAR(mean / (axis / on_axis) / (0.035144 / 0.073034), 1, 0.05);
 }
 
 } // namespace

@@ -26,7 +26,7 @@ std::vector<ShockFrame> moving_front(int frames) {
     for (double const z : scale().position) {
       double const part = 0.5 * (1 - std::tanh((z - v_S * frame.time) / 2));
       frame.velocity.push_back(v_P * part + G(generator)),
-          frame.rho.push_back(1 + 0.75 * part + G(generator));
+          frame.rho.push_back(1 + 0.75 * part + 0.1 * G(generator)); // mass is conserved
       frame.P.push_back(2 + 21 * part + G(generator)), frame.T.push_back(1 + part + G(generator));
     }
     all.push_back(frame);
