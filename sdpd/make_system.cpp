@@ -39,6 +39,8 @@ BodyForce in_units(BodyForce force, ReducedUnits const& units) {
 }
 
 System empty_system(SimulationSettings const& s) {
+  auto walls = make_walls(s.faces, box_of(s).edge, s.units());
+  auto corners = make_corners(walls);
   auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
           .species = s.reduced_species(),
@@ -50,7 +52,8 @@ System empty_system(SimulationSettings const& s) {
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads, open_axes(s.faces)),
-          .walls = make_walls(s.faces, box_of(s).edge, s.units()),
+          .walls = std::move(walls),
+          .corners = std::move(corners),
           .body_force = in_units(s.body_force, s.units()),
           .reaction = std::move(parts.reaction),
           .particles = {},

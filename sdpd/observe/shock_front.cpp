@@ -1,4 +1,5 @@
 #include "sdpd/observe/shock_front.hpp"
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -47,6 +48,37 @@ double behind(std::vector<double> const& values, ShockFrame const& frame, ShockS
   return sum / count;
 }
 
+constexpr double ahead_zone = 8; // in spacings, as far as the front is from the far end at least
+
+/// What Gibbs's surface is found from, of each frame: where the piston is, how much fluid and room there is
+/// before it, and the density ahead of the front.
+struct Masses {
+  std::vector<double> piston, mass, length, ahead;
+
+  void add(ShockFrame const& frame, ShockScale const& scale, double front) {
+    double const width = scale.position[1] - scale.position[0];
+    double fluid = 0, sum = 0, count = 0;
+    for (std::size_t s = 0; s < frame.rho.size(); ++s) {
+      double const before_piston = std::clamp(scale.position[s] + width / 2 - frame.piston, 0.0, width);
+      fluid += frame.rho[s] * before_piston;
+      if (scale.position[s] > front + ahead_zone * scale.spacing)
+        sum += frame.rho[s], ++count;
+    }
+    piston.push_back(frame.piston), mass.push_back(fluid);
+    length.push_back(scale.position.back() + width / 2 - frame.piston);
+    ahead.push_back(count > 0 ? sum / count : frame.rho.back());
+  }
+
+  /// The places of the surface in some frames that have the density rho_1 behind the front.
+  std::vector<double> surfaces(std::size_t first, std::size_t count, double rho_1) const {
+    double const rho_0 = mean(std::span(ahead).subspan(first, count));
+    std::vector<double> places;
+    for (std::size_t k = first; k < first + count; ++k)
+      places.push_back(piston[k] + (mass[k] - rho_0 * length[k]) / (rho_1 - rho_0));
+    return places;
+  }
+};
+
 } // namespace
 
 std::optional<double> front_position(ShockFrame const& frame, ShockScale const& scale) {
@@ -65,6 +97,7 @@ std::optional<double> front_position(ShockFrame const& frame, ShockScale const& 
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale) {
   SteadyShock shock;
   std::vector<double> rho, P, T;
+  Masses masses;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     auto const front = front_position(frames[k], scale);
     if (!front || *front < frames[k].piston + start_zone * scale.spacing ||
@@ -73,6 +106,7 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
     if (shock.times.empty())
       shock.first = k;
     shock.times.push_back(frames[k].time), shock.fronts.push_back(*front);
+    masses.add(frames[k], scale, *front);
     for (auto const& [to, from] : {std::pair(&rho, &frames[k].rho), {&P, &frames[k].P}, {&T, &frames[k].T}})
       to->push_back(behind(*from, frames[k], scale, *front));
   }
@@ -84,6 +118,10 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
   std::size_t const n = shock.times.size();
   shock.v_S = by_blocks(n, [&](std::size_t first, std::size_t count) {
     return slope(part(shock.times, first, count), part(shock.fronts, first, count));
+  });
+  shock.v_S_gibbs = by_blocks(n, [&](std::size_t first, std::size_t count) {
+    return slope(part(shock.times, first, count),
+                 masses.surfaces(first, count, mean(part(rho, first, count))));
   });
   for (auto const& [to, from] : {std::pair(&shock.rho, &rho), {&shock.P, &P}, {&shock.T, &T}})
     *to = by_blocks(n, [&](std::size_t first, std::size_t count) { return mean(part(*from, first, count)); });

@@ -34,7 +34,8 @@ struct System {
   AnyPairLaw law;                                       ///< friction and noise
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
-  std::vector<Wall> walls; ///< at those faces of the box that have one
+  std::vector<Wall> walls;         ///< at those faces of the box that have one
+  std::vector<WallCorner> corners; ///< where walls of several axes meet
   BodyForce body_force;
   std::optional<Reaction> reaction; ///< that turns the particles from reactant into product
   Particles particles;

@@ -180,12 +180,25 @@ void check_quantities(Scene const& scene, Places const& places, std::string cons
                       std::vector<NamedQuantity> const& known) {
   auto const has = chosen({}, known, scene.features());
   for (auto const& name : named)
-    require_together(std::ranges::find(has, name) != has.end(), places, section + ".quantities", name,
+    require_together(std::ranges::find(has, name) != has.end(), places,
+                     section + (section == "film" ? ".quantity" : ".quantities"), name,
                      fmt::format("there is no such quantity in this box with particles of {}; there are: {}",
                                  scene.method.name,
                                  has.empty() ? "none" : fmt::format("{}", fmt::join(has, ", "))));
   require_together(every == 0 || !has.empty(), places, section + ".every", every,
                    fmt::format("must be 0: particles of {} have none of the quantities", scene.method.name));
+}
+
+void check_film(Scene const& scene, Places const& places) {
+  auto const& film = scene.film;
+  if (film.quantity) {
+    check_quantities(scene, places, "film", 1, {*film.quantity}, film_quantities());
+    require_together(film.every <= scene.run.steps, places, "film.every", film.every,
+                     fmt::format("must be <= run.steps = {}, or 0 for six frames", scene.run.steps));
+    return;
+  }
+  require_together(film == Scene::Film{}, places, "film.quantity", "not given",
+                   "must be given where other keys of the film are: it is what colours the particles");
 }
 
 /// Profiles, histograms and series on schedules that the run can keep.
@@ -195,6 +208,7 @@ void check_schedules(Scene const& scene, Places const& places) {
   check_quantities(scene, places, "profile", profile.every, profile.quantities, profile_quantities());
   check_quantities(scene, places, "histogram", histogram.every, histogram.quantities, histogram_quantities());
   check_quantities(scene, places, "series", scene.series.every, scene.series.quantities, series_quantities());
+  check_film(scene, places);
   for (auto const& [key, every] :
        {std::pair("profile.every", profile.every), {"histogram.every", histogram.every}})
     require_together(every <= scene.run.steps, places, key, every,

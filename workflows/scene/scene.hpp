@@ -88,8 +88,11 @@ struct Scene {
     std::vector<double> size;          ///< edges, in place of N
     std::string x = "periodic", y = "periodic", z = "periodic";
     std::optional<double> piston, ramp; ///< velocity of the lower wall, and the time until it has it
-    std::string slip = "free";
-    std::optional<double> wall_temperature, wall_friction, slide, body_force;
+    std::vector<double> piston_times, piston_velocities; ///< a table in place of both
+    std::optional<std::string> piston_file;              ///< the same in a file
+    std::optional<std::string> moving; ///< the axis whose walls move, where several have walls
+    std::string slip = "free", wall_heat = "bath";
+    std::optional<double> wall_temperature, wall_friction, slide, slide_ramp, body_force;
     std::int64_t waves = 0;          ///< of the body force, in the length of the box
     std::optional<std::string> flow; ///< the axis along which the upper wall slides and the body force acts
     bool operator==(Box const&) const = default;
@@ -180,6 +183,13 @@ struct Scene {
     std::vector<std::string> quantities; ///< empty: all that the method has
     bool operator==(Series const&) const = default;
   } series;
+  struct Film { ///< pictures of the particles of a slab, into run.h5 and the report
+    std::optional<std::string> quantity; ///< whose value is the colour; none: no film
+    std::int64_t every = 0;              ///< 0: six frames
+    std::optional<std::string> axis;     ///< along which one looks
+    std::optional<double> thickness;
+    bool operator==(Film const&) const = default;
+  } film;
   struct Output {
     std::optional<std::string> directory;
     bool operator==(Output const&) const = default;

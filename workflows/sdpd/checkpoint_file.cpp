@@ -86,11 +86,11 @@ class Reader {
     return {.proposed = at(0), .out_of_domain = at(1), .metropolis = at(2)};
   }
 
-  /// Impulse and work of the lower and the upper wall, and their time, where there are walls.
-  std::vector<double> walls() const { return doubles_if_there("walls", 5); }
+  /// Impulse and work of the lower and the upper walls of some axes, and their time, where there are walls.
+  std::vector<double> walls() const { return doubles_if_there("walls", 4 * walled_axes() + 1); }
+  /// Drag and heat of these walls, where there are any, and the body force's work and sink.
+  std::vector<double> flow() const { return doubles_if_there("flow", 8 * walled_axes() + 2); }
   std::vector<double> reaction() const { return doubles_if_there("reaction", 1); } ///< its time
-  /// Drag and heat of both walls, where there are any, and the body force's work and sink.
-  std::vector<double> flow() const { return doubles_if_there("flow", store_.contains("walls") ? 10 : 2); }
 
   std::string scene() const { return store_.read_text("scene"); }
   std::vector<InputFile> inputs() const { return read_inputs(store_); }
@@ -102,6 +102,12 @@ class Reader {
   }
 
  private:
+  std::size_t walled_axes() const {
+    auto const shape = store_.contains("walls") ? store_.shape("walls") : Store::Shape{1};
+    require_that(shape.size() == 1 && shape[0] <= 13, "'walls' is no row of the numbers of up to six walls");
+    return shape[0] / 4;
+  }
+
   void require_that(bool condition, std::string const& fault) const {
     if (!condition)
       throw InputError(fmt::format("cannot go on from checkpoint '{}': {}", store_.file().string(), fault));

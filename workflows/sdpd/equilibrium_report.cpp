@@ -3,6 +3,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
+#include "workflows/sdpd/film.hpp"
 #include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_report.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
@@ -182,7 +183,7 @@ std::vector<std::string> sources_of(RunResult const& run) {
   return sources;
 }
 
-/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time.
+/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time; and the film.
 std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunResult const& run,
                                      OutputUnits const& units) {
   Store const store(run_file, Store::Mode::read);
@@ -199,6 +200,8 @@ std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunR
       sections.push_back(riemann_section(*found, units));
   if (auto const flow = flow_of(store, run.scene, run.settings))
     sections.push_back(flow_section(*flow, run));
+  if (auto film = film_section(store, run.scene, run.settings))
+    sections.push_back(std::move(*film));
   if (is_driven(run.scene))
     if (auto pictures = space_time_section(store, run.scene, units))
       sections.push_back(std::move(*pictures));

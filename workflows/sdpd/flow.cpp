@@ -1,5 +1,6 @@
 #include "workflows/sdpd/flow.hpp"
 #include "cg/equilibration.hpp"
+#include "workflows/sdpd/duct_flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/short_series.hpp"
 #include "workflows/summary.hpp"
@@ -110,6 +111,9 @@ class FlowSearch {
     case FlowKind::poiseuille:
       poiseuille(flow);
       break;
+    case FlowKind::duct:
+      duct(flow);
+      break;
     case FlowKind::wave:
       wave(flow);
     }
@@ -167,6 +171,21 @@ class FlowSearch {
       flow.exact.push_back(force / (2 * flow.viscosity.mean) * z * (edge_ - z));
   }
 
+  /// The profile is a mean over the duct's other width.
+  void duct(FlowOfRun& flow) {
+    Duct const of{edge_, component(box_.edge, 3 - axes_.along - axes_.across) * units_.length};
+    auto const fits = fit(frames_, [&](double z) { return of.velocity(z); }, inside());
+    settle(flow, fits);
+    auto const slope = cg::estimate_mean(from(fits.slope, first_)),
+               offset = cg::estimate_mean(from(fits.offset, first_));
+    double const force = scene_.fluid.rho * *scene_.box.body_force;
+    flow.viscosity = ratio({force, 0, slope.n_eff}, slope);
+    double const shear = of.a * of.b / (2 * (of.a + of.b)); // at the walls, in the mean over them
+    flow.slip_length = ratio(offset, {slope.mean * shear, slope.se * shear, slope.n_eff});
+    for (double const z : frames_.position)
+      flow.exact.push_back(slope.mean * of.velocity(z));
+  }
+
   void wave(FlowOfRun& flow) {
     double const k = 2 * std::numbers::pi * static_cast<double>(scene_.box.waves) / edge_,
                  half = k * edge_ / static_cast<double>(2 * frames_.position.size()),
@@ -196,11 +215,14 @@ std::optional<FlowKind> kind_of(Scene const& scene) {
   bool const slides = box.slide.value_or(0) != 0, pushed = box.body_force.value_or(0) != 0;
   if (slides == pushed)
     return std::nullopt;
+  bool const is_duct = (box.x == "walls") + (box.y == "walls") + (box.z == "walls") == 2;
   if (slides)
-    return FlowKind::couette;
+    return is_duct ? std::nullopt : std::optional(FlowKind::couette);
   if (box.waves > 0)
     return FlowKind::wave;
-  return box.slip == "none" ? std::optional(FlowKind::poiseuille) : std::nullopt;
+  if (box.slip != "none")
+    return std::nullopt;
+  return is_duct ? FlowKind::duct : FlowKind::poiseuille;
 }
 
 } // namespace

@@ -28,11 +28,10 @@ std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& setti
 
 std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings) {
   for (auto const& [lower, upper] : settings.faces)
-    if (lower.motion.velocity > 0)
+    if (double const v_P = lower.motion.driving_velocity(); v_P > 0)
       try {
         auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
-        return fluid && fluid->reaction ? detonation(*fluid, settings, lower.motion.velocity)
-                                        : piston_shock(settings, lower.motion.velocity);
+        return fluid && fluid->reaction ? detonation(*fluid, settings, v_P) : piston_shock(settings, v_P);
       } catch (PhysicsError const&) {
         return std::nullopt;
       }

@@ -15,6 +15,7 @@ std::vector<SceneFile> scene_files(Scene const& scene) {
   add("friction.file", scene.friction.file);
   add("conduction.file", scene.conduction.file);
   add("internal_energy.model", scene.internal_energy.model);
+  add("box.piston_file", scene.box.piston_file);
   return files;
 }
 
