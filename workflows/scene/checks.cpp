@@ -5,6 +5,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/box_checks.hpp"
+#include "workflows/scene/driven.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/scene/reaction_checks.hpp"
@@ -90,9 +91,23 @@ void check_density(Scene const& scene, Places const& places) {
   require_together(
       steps == 0 || steps >= least_calibration, places, "particles.calibration_steps", steps,
       fmt::format("must be >= {}, or 0 for a number that goes with the run's", least_calibration));
+  require_together(density != "calibrated-shocked" || scene.box.piston.value_or(0) > 0, places,
+                   "particles.density", density,
+                   "needs a piston that moves into the fluid, box.piston > 0, whose shock makes the state");
   if (scale)
     require_together(std::abs(*self) < *scale, places, "particles.density_self", *self,
                      fmt::format("must lie between -c and c, c = density_scale = {}", *scale));
+}
+
+/// A share of the energy that is turned over may get lost where something turns it over.
+void check_balance(Scene const& scene, Places const& places) {
+  auto const& drift = *scene.scheme.drift;
+  require_together(is_driven(scene), places, "scheme.drift", drift,
+                   "a share of the energy that is turned over, is for scenes that something drives: regions, "
+                   "a piston, walls that slide, open faces or a body force; wish for a rate, such as "
+                   "\"1e-6/ps\", or a bias");
+  require_together(scene.scheme.energy == "free", places, "scheme.drift", drift,
+                   "wants energy = \"free\": with \"kept\" the energy balances at any time step");
 }
 
 void check_wish(Scene const& scene, Places const& places) {
@@ -107,14 +122,19 @@ void check_wish(Scene const& scene, Places const& places) {
       throw InputError(fmt::format("{}: {} = \"{}\": {}", places.of(key), key, *text, error.what()));
     }
   };
-  check("scheme.drift", scheme.drift, [&](std::string const& text) { parse_rate(text, scene.units); });
+  check("scheme.drift", scheme.drift, [&](std::string const& text) {
+    wished_balance(scheme) ? parse_share(text) : parse_rate(text, scene.units);
+  });
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
   if (scheme.drift)
     require_together(
         scene.features().energies, places, "scheme.drift", *scheme.drift,
         "must not be given: the thermostat of dpd keeps no energy that could drift; wish for a bias");
+  if (wished_balance(scheme))
+    check_balance(scene, places);
   require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
-                   "needs a wish: scheme.drift, such as \"1e-6/ps\", or scheme.bias, such as \"0.5%\"");
+                   "needs a wish: scheme.drift, such as \"1e-6/ps\" or, in scenes that something drives, "
+                   "\"1%\", or scheme.bias, such as \"0.5%\"");
 }
 
 } // namespace

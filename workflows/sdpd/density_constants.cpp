@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "workflows/sdpd/layout_of.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
@@ -18,17 +19,46 @@ Scene without_regions(Scene scene) {
   return scene;
 }
 
+/// Density and temperature.
+struct CalibratedState {
+  double rho, T;
+};
+
+/// Where the constants are to hold.
+CalibratedState state_of(Scene const& scene) {
+  auto const& particles = scene.particles;
+  if (particles.density != "calibrated-shocked")
+    return {scene.fluid.rho, scene.fluid.T};
+  try {
+    auto const shock = piston_shock(settings_of(without_regions(scene), 1), scene.box.piston.value());
+    return {shock->behind.rho, shock->behind.T};
+  } catch (PhysicsError const& error) {
+    throw InputError(fmt::format("particles.density = \"{}\": {}", particles.density, error.what()));
+  }
+}
+
+/// The same particles with the same kernels and time step, in units of that state.
+sdpd::SimulationSettings at(CalibratedState const& state, sdpd::SimulationSettings settings) {
+  auto const before = settings.units();
+  settings.as<sdpd::Sdpd>().h_factor *= std::cbrt(state.rho / settings.rho);
+  settings.rho = state.rho, settings.T = state.T;
+  double const time = before.time() / settings.units().time();
+  settings.dt *= time, settings.bath_rate /= time;
+  return settings;
+}
+
 /// What the scene says or, if it leaves that open, what suits its fluid; none where there is nothing to
 /// calibrate: without noise particles come to rest somewhere, and those that do not move have no equilibrium,
 /// whose mean density and pressure could be set right.
 std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   auto const& density = scene.particles.density;
   if (density.starts_with("calibrated"))
-    return density == "calibrated" ? sdpd::ScaleCondition::pressure : sdpd::ScaleCondition::response;
+    return density == "calibrated-response" ? sdpd::ScaleCondition::response
+                                            : sdpd::ScaleCondition::pressure;
   if (density != "auto" || !scene.noise() ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
-  return sdpd::suitable_condition(settings_of(without_regions(scene), 1));
+  return sdpd::suitable_condition(calibrated_settings(scene, 1));
 }
 
 } // namespace
@@ -48,7 +78,8 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
 }
 
 sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads) {
-  return settings_of(without_regions(scene), threads);
+  auto const settings = settings_of(without_regions(scene), threads);
+  return scene.features().densities ? at(state_of(scene), settings) : settings;
 }
 
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {

@@ -137,6 +137,7 @@ Scene piston_scene(PistonScene const& wanted) {
   scene.particles.N = wanted.lattice[0] * wanted.lattice[1] * wanted.lattice[2];
   if (wanted.eos == "ideal-gas")
     scene.fluid.m0 = 1e-25;
+  scene.particles.density = wanted.density;
   if (wanted.as_in_the_thesis) {
     scene.particles.kernel = "cubic", scene.particles.density = "plain", scene.box.ramp = 0;
     if (wanted.eos != "ideal-gas") // whose particles the thesis gives 3/2 (K-1) k_B: free of their own motion
