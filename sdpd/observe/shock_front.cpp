@@ -1,41 +1,11 @@
 #include "sdpd/observe/shock_front.hpp"
+#include "sdpd/observe/frame_blocks.hpp"
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <span>
 
 namespace mesobridge::sdpd {
 namespace {
 
 constexpr double start_zone = 40, far_zone = 10, piston_zone = 15, front_zone = 12; // in spacings
-constexpr std::size_t blocks = 6, least_frames = 2 * blocks;
-
-double mean(std::span<double const> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Of a straight line by least squares.
-double slope(std::span<double const> x, std::span<double const> y) {
-  double const x_0 = mean(x), y_0 = mean(y);
-  double xy = 0, xx = 0;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    xy += (x[k] - x_0) * (y[k] - y_0), xx += (x[k] - x_0) * (x[k] - x_0);
-  return xy / xx;
-}
-
-/// With the error that the blocks' own values have; of_block(first, count) is the value of some frames.
-template <class F>
-cg::Estimate by_blocks(std::size_t frames, F const& of_block) {
-  std::vector<double> values;
-  std::size_t const length = frames / blocks;
-  for (std::size_t b = 0; b < blocks; ++b)
-    values.push_back(of_block(frames - (b + 1) * length, length));
-  double const centre = mean(values);
-  double square = 0;
-  for (double const value : values)
-    square += (value - centre) * (value - centre);
-  return {of_block(0, frames), std::sqrt(square / (blocks * (blocks - 1))), double{blocks}};
-}
 
 /// Mean over the plateau of one frame.
 double behind(std::vector<double> const& values, ShockFrame const& frame, ShockScale const& scale,
@@ -71,7 +41,7 @@ struct Masses {
 
   /// The places of the surface in some frames that have the density rho_1 behind the front.
   std::vector<double> surfaces(std::size_t first, std::size_t count, double rho_1) const {
-    double const rho_0 = mean(std::span(ahead).subspan(first, count));
+    double const rho_0 = mean_of(std::span(ahead).subspan(first, count));
     std::vector<double> places;
     for (std::size_t k = first; k < first + count; ++k)
       places.push_back(piston[k] + (mass[k] - rho_0 * length[k]) / (rho_1 - rho_0));
@@ -117,14 +87,15 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
   };
   std::size_t const n = shock.times.size();
   shock.v_S = by_blocks(n, [&](std::size_t first, std::size_t count) {
-    return slope(part(shock.times, first, count), part(shock.fronts, first, count));
+    return slope_of(part(shock.times, first, count), part(shock.fronts, first, count));
   });
   shock.v_S_gibbs = by_blocks(n, [&](std::size_t first, std::size_t count) {
-    return slope(part(shock.times, first, count),
-                 masses.surfaces(first, count, mean(part(rho, first, count))));
+    return slope_of(part(shock.times, first, count),
+                    masses.surfaces(first, count, mean_of(part(rho, first, count))));
   });
   for (auto const& [to, from] : {std::pair(&shock.rho, &rho), {&shock.P, &P}, {&shock.T, &T}})
-    *to = by_blocks(n, [&](std::size_t first, std::size_t count) { return mean(part(*from, first, count)); });
+    *to = by_blocks(n,
+                    [&](std::size_t first, std::size_t count) { return mean_of(part(*from, first, count)); });
   return shock;
 }
 

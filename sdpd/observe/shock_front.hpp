@@ -34,8 +34,9 @@ struct SteadyShock {
 /// behind, and than 10 from the far end. The state behind is the mean over the slices from 15 spacings before
 /// the piston, where the start has left its trace, to 12 behind the front. The velocity is the slope of a
 /// straight line of the last half-height crossing, and beside it that of Gibbs's surface (sdpd/README.md, Eq.
-/// (S58)), whose states ahead and behind are those of the same frames. Neighbouring frames see the same matter, so that all errors come from the means of six
-/// blocks of frames. Nothing for fewer than 12 such frames.
+/// (S58)), whose states ahead and behind are those of the same frames. Neighbouring frames see the same
+/// matter, so that all errors come from the means of six blocks of frames. Nothing for fewer than 12 such
+/// frames.
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale);
 
 } // namespace mesobridge::sdpd

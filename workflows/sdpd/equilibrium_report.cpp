@@ -2,6 +2,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/sdpd/detonation.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
 #include "workflows/sdpd/film.hpp"
 #include "workflows/sdpd/flow.hpp"
@@ -190,6 +191,8 @@ std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunR
   std::vector<Section> sections;
   if (auto const shock = shock_of(store, run.scene, run.settings))
     sections.push_back(shock_section(*shock, units));
+  if (auto const detonation = detonation_of(store, run.scene, run.settings))
+    sections.push_back(detonation_section(*detonation, run.scene, units));
   if (run.settings.layout)
     sections.push_back({"Start",
                         {drawn({start_picture(run.scene, run.settings)},
