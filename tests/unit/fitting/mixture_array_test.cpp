@@ -79,13 +79,15 @@ Outcome check_all(MixtureArray<A, B> const& array, Batch batch, char const* titl
     auto const part_0 = mixture.reactant().isochore(d.reactant),
                part_1 = mixture.product().isochore(d.product);
     double const e_0 = part_0.energy(T), e_1 = part_1.energy(T);
-    double const stiffness =
-        d.reactant * part_0.pressure_density_slope(T) + d.product * part_1.pressure_density_slope(T);
+    // In thin matter pressures are small differences of large terms, whose last digits are their scale.
+    double const scale = d.reactant * part_0.pressure_density_slope(T) +
+                         d.product * part_1.pressure_density_slope(T) +
+                         T * (part_0.pressure_slope(T) + part_1.pressure_slope(T));
     found.worst =
         std::max({found.worst,
                   std::abs((1 - lambda) * e_0 + lambda * e_1 - batch.e[i]) / (std::abs(e_0) + std::abs(e_1)),
-                  std::abs(part_0.pressure(T) - batch.P[i]) / stiffness,
-                  std::abs(part_1.pressure(T) - batch.P[i]) / stiffness});
+                  std::abs(part_0.pressure(T) - batch.P[i]) / scale,
+                  std::abs(part_1.pressure(T) - batch.P[i]) / scale});
   }
   std::printf("%s: %zu states, %d answered (largest violation %.1e), %d refused; %.1f us each\n", title,
               batch.size(), found.answered, found.worst, found.refused, microseconds);
