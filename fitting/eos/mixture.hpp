@@ -66,6 +66,8 @@ class Mixture {
     return state_from_temperature(lambda, rho, T).e;
   }
   MixtureState state_from_temperature(double lambda, double rho, double T) const;
+  /// The state at a split that a solution left. Throws PhysicsError where it is not stable.
+  MixtureState state_at(double lambda, double rho, MixtureSplit const& split) const;
 
   Reactant const& reactant() const { return reactant_; }
   Product const& product() const { return product_; }

@@ -91,94 +91,186 @@ class MixtureArray {
                     Failed const& failed) const {
     renew<Given::entropy>(states, begin, end, failed);
   }
+  /// P, C, c^2 from rho, lambda and what a solution left, T and the ratio of densities: the very bits that
+  /// the solution gave, e and s untouched.
+  template <class Failed>
+  void response(MixtureStates const& states, std::size_t begin, std::size_t end, Failed const& failed) const {
+    renew<Given::split>(states, begin, end, failed);
+  }
+  /// Everything from T, rho and lambda, by a search; for the beginning.
+  template <class Failed>
+  void from_temperature(MixtureStates const& states, std::size_t begin, std::size_t end,
+                        Failed const& failed) const {
+    for (std::size_t i = begin; i < end; ++i)
+      reported(i, failed, [&] {
+        auto const found = mixture_.state_from_temperature(progress(states, i), states.rho[i], states.T[i]);
+        states.log_density_ratio[i] = found.split.log_density_ratio;
+        states.e[i] = found.e, states.s[i] = found.s;
+        respond_one<Given::split>(states, i);
+      });
+  }
 
   Mixture<Reactant, Product> const& mixture() const { return mixture_; }
 
  private:
-  enum class Given { energy, entropy };
+  enum class Given { energy, entropy, split };
+  static constexpr bool packed_mixture = PackedPart<Reactant> && PackedPart<Product>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// The progress by the rule of pure components.
+  double progress(MixtureStates const& states, std::size_t i) const {
+    auto const kind = component(states.lambda[i], pure_);
+    return kind == Component::mixed ? states.lambda[i] : kind == Component::product ? 1 : 0;
+  }
+  template <class Failed, class F>
+  static void reported(std::size_t i, Failed const& failed, F const& f) {
+    try {
+      f();
+    } catch (PhysicsError const& error) {
+      failed(i, error);
+    }
+  }
 
   template <Given given, class Failed>
   void renew(MixtureStates const& states, std::size_t begin, std::size_t end, Failed const& failed) const {
     for_each_component_pack(states.lambda, begin, end, pure_, [&](Component kind, ScatteredPlaces const& at) {
-      auto const solved = kind == Component::mixed      ? mixed<given>(states, at)
-                          : kind == Component::reactant ? pure<given>(mixture_.reactant(), states, at)
-                                                        : pure<given>(mixture_.product(), states, at);
-      at.for_each_outside(solved, [&](std::size_t i) {
-        try {
-          alone<given>(states, i, kind);
-        } catch (PhysicsError const& error) {
-          failed(i, error);
-        }
+      auto const solved = solve<given>(kind, states, at);
+      auto const fine = respond<given>(kind, states, at, solved);
+      at.for_each_outside(fine, [&](std::size_t i) {
+        reported(i, failed, [&] {
+          solve_alone<given>(states, i);
+          respond_one<given>(states, i);
+        });
       });
     });
   }
 
-  /// Each of these returns the lanes that it solved.
+  /// T and the ratio of densities; returns the lanes that it solved.
   template <Given given>
-  PackMask mixed(MixtureStates const&, ScatteredPlaces const&) const {
-    return PackMask{};
-  }
-  template <Given given>
-  PackMask mixed(MixtureStates const& states,
-                 ScatteredPlaces const& at) const requires PackedPart<Reactant> && PackedPart<Product> {
-    PackedMixture<Reactant, Product> const packed(mixture_);
-    Pack const lambda = at.load(states.lambda), rho = at.load(states.rho);
-    PackedSplit const guess{at.load(states.T), at.load(states.log_density_ratio)};
-    auto const found = given == Given::energy ? packed.from_energy(lambda, rho, at.load(states.e), guess)
-                                              : packed.from_entropy(lambda, rho, at.load(states.s), guess);
-    auto const here = packed.at(lambda, rho, found.split);
-    Pack const C = here.heat_capacity();
-    auto const fine = found.solved & packed.covered(here) & between(C, 0, infinity);
-    at.store(found.split.T, fine, states.T);
-    at.store(found.split.log_density_ratio, fine, states.log_density_ratio);
-    if constexpr (given == Given::energy)
-      at.store(here.entropy(), fine, states.s);
+  PackMask solve(Component kind, MixtureStates const& states, ScatteredPlaces const& at) const {
+    if constexpr (given == Given::split)
+      return ~PackMask{};
+    else if (kind == Component::mixed)
+      return solve_mixed<given>(states, at);
     else
-      at.store(here.energy(), fine, states.e);
-    at.store(here.pressure(), fine, states.P);
-    at.store(C, fine, states.C);
-    at.store(here.sound_speed_squared(), fine, states.sound_speed_squared);
-    return fine;
+      return kind == Component::reactant ? solve_pure<given>(mixture_.reactant(), states, at)
+                                         : solve_pure<given>(mixture_.product(), states, at);
   }
-
+  template <Given given>
+  PackMask solve_mixed(MixtureStates const& states, ScatteredPlaces const& at) const {
+    if constexpr (packed_mixture) {
+      PackedMixture<Reactant, Product> const packed(mixture_);
+      Pack const lambda = at.load(states.lambda), rho = at.load(states.rho);
+      PackedSplit const guess{at.load(states.T), at.load(states.log_density_ratio)};
+      auto const found = given == Given::energy ? packed.from_energy(lambda, rho, at.load(states.e), guess)
+                                                : packed.from_entropy(lambda, rho, at.load(states.s), guess);
+      at.store(found.split.T, found.solved, states.T);
+      at.store(found.split.log_density_ratio, found.solved, states.log_density_ratio);
+      return found.solved;
+    } else {
+      return PackMask{};
+    }
+  }
   template <Given given, class E>
-  static PackMask pure(E const&, MixtureStates const&, ScatteredPlaces const&) {
-    return PackMask{};
+  static PackMask solve_pure(E const& eos, MixtureStates const& states, ScatteredPlaces const& at) {
+    if constexpr (PackedPart<E>) {
+      Pack const rho = at.load(states.rho), guess = at.load(states.T);
+      auto const isochore = packed_isochore(eos, rho);
+      Pack const T = given == Given::energy ? temperature_from_energy(isochore, at.load(states.e), guess)
+                                            : temperature_from_entropy(isochore, at.load(states.s), guess);
+      auto const fine = covers(eos, rho, T);
+      at.store(T, fine, states.T);
+      return fine;
+    } else {
+      return PackMask{};
+    }
   }
-  template <Given given, PackedPart E>
-  static PackMask pure(E const& eos, MixtureStates const& states, ScatteredPlaces const& at) {
-    Pack const rho = at.load(states.rho), guess = at.load(states.T);
-    auto const isochore = packed_isochore(eos, rho);
-    Pack const T = given == Given::energy ? temperature_from_energy(isochore, at.load(states.e), guess)
-                                          : temperature_from_entropy(isochore, at.load(states.s), guess);
-    Pack const C = isochore.heat_capacity(T), slope = isochore.pressure_slope(T) / rho;
-    auto const fine = covers(eos, rho, T);
-    at.store(T, fine, states.T);
-    if constexpr (given == Given::energy)
-      at.store(isochore.entropy(T), fine, states.s);
-    else
-      at.store(isochore.energy(T), fine, states.e);
-    at.store(isochore.pressure(T), fine, states.P);
-    at.store(C, fine, states.C);
-    at.store(isochore.pressure_density_slope(T) + T * slope * slope / C, fine, states.sound_speed_squared);
-    return fine;
+  template <Given given>
+  void solve_alone(MixtureStates const& to, std::size_t i) const {
+    if constexpr (given != Given::split) {
+      double const lambda = progress(to, i);
+      MixtureSplit const guess{to.T[i], to.log_density_ratio[i]};
+      auto const found = given == Given::energy
+                             ? mixture_.state(lambda, to.rho[i], to.e[i], guess)
+                             : mixture_.state_from_entropy(lambda, to.rho[i], to.s[i], guess);
+      to.T[i] = found.T;
+      if (lambda > 0 && lambda < 1)
+        to.log_density_ratio[i] = found.split.log_density_ratio;
+    }
   }
 
+  /// What follows from T and the ratio, for the lanes of the mask that the models cover; returns those.
   template <Given given>
-  void alone(MixtureStates const& to, std::size_t i, Component kind) const {
-    double const lambda = kind == Component::mixed ? to.lambda[i] : kind == Component::product ? 1 : 0;
-    MixtureSplit const guess{to.T[i], to.log_density_ratio[i]};
-    auto const found = given == Given::energy
-                           ? mixture_.state(lambda, to.rho[i], to.e[i], guess)
-                           : mixture_.state_from_entropy(lambda, to.rho[i], to.s[i], guess);
-    to.T[i] = found.T;
+  PackMask respond(Component kind, MixtureStates const& states, ScatteredPlaces const& at,
+                   PackMask where) const {
+    bool const writes_e = given == Given::entropy, writes_s = given == Given::energy;
     if (kind == Component::mixed)
-      to.log_density_ratio[i] = found.split.log_density_ratio;
-    (given == Given::energy ? to.s : to.e)[i] = given == Given::energy ? found.s : found.e;
+      return respond_mixed(states, at, where, writes_e, writes_s);
+    return kind == Component::reactant
+               ? respond_pure(mixture_.reactant(), states, at, where, writes_e, writes_s)
+               : respond_pure(mixture_.product(), states, at, where, writes_e, writes_s);
+  }
+  /// Not inlined, all three: a restart must find the bits of the stopped run, and only the same machine code
+  /// rounds alike.
+  [[gnu::noinline]] PackMask respond_mixed(MixtureStates const& states, ScatteredPlaces const& at,
+                                           PackMask where, bool writes_e, bool writes_s) const {
+    if constexpr (packed_mixture) {
+      PackedMixture<Reactant, Product> const packed(mixture_);
+      auto const here = packed.at(at.load(states.lambda), at.load(states.rho),
+                                  {at.load(states.T), at.load(states.log_density_ratio)});
+      Pack const C = here.heat_capacity();
+      auto const fine = where & packed.covered(here) & between(C, 0, infinity);
+      if (writes_e)
+        at.store(here.energy(), fine, states.e);
+      if (writes_s)
+        at.store(here.entropy(), fine, states.s);
+      at.store(here.pressure(), fine, states.P);
+      at.store(C, fine, states.C);
+      at.store(here.sound_speed_squared(), fine, states.sound_speed_squared);
+      return fine;
+    } else {
+      return PackMask{};
+    }
+  }
+  template <class E>
+  [[gnu::noinline]] static PackMask respond_pure(E const& eos, MixtureStates const& states,
+                                                 ScatteredPlaces const& at, PackMask where, bool writes_e,
+                                                 bool writes_s) {
+    if constexpr (PackedPart<E>) {
+      Pack const rho = at.load(states.rho), T = at.load(states.T);
+      auto const isochore = packed_isochore(eos, rho);
+      Pack const C = isochore.heat_capacity(T), slope = isochore.pressure_slope(T) / rho;
+      auto const fine = where & covers(eos, rho, T);
+      if (writes_e)
+        at.store(isochore.energy(T), fine, states.e);
+      if (writes_s)
+        at.store(isochore.entropy(T), fine, states.s);
+      at.store(isochore.pressure(T), fine, states.P);
+      at.store(C, fine, states.C);
+      at.store(isochore.pressure_density_slope(T) + T * slope * slope / C, fine, states.sound_speed_squared);
+      return fine;
+    } else {
+      return PackMask{};
+    }
+  }
+  [[gnu::noinline]] void respond_alone(MixtureStates const& to, std::size_t i, bool writes_e,
+                                       bool writes_s) const {
+    auto const found = mixture_.state_at(progress(to, i), to.rho[i], {to.T[i], to.log_density_ratio[i]});
+    if (writes_e)
+      to.e[i] = found.e;
+    if (writes_s)
+      to.s[i] = found.s;
     to.P[i] = found.P, to.C[i] = found.c_v, to.sound_speed_squared[i] = found.sound_speed_squared;
   }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// As one of a pack where that goes, so that it does not matter how T was found.
+  template <Given given>
+  void respond_one(MixtureStates const& states, std::size_t i) const {
+    ScatteredPlaces one;
+    one.push(i);
+    auto const kind = component(states.lambda[i], pure_);
+    if (!respond<given>(kind, states, one, ~PackMask{})[0])
+      respond_alone(states, i, given == Given::entropy, given == Given::energy);
+  }
 
   Mixture<Reactant, Product> mixture_;
   PureProgress pure_;
