@@ -11,8 +11,9 @@ namespace mesobridge::workflows {
 
 namespace {
 
-/// [fluid] without the regions in it, by which all densities are calibrated.
-Scene without_regions(Scene scene) {
+/// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
+Scene fluid_alone(Scene scene) {
+  scene.reaction = {};
   if (has_layout(scene))
     scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // of which a part is run
   return scene;
@@ -28,7 +29,7 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   if (density != "auto" || scene.scheme.noise == "off" ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
-  return sdpd::suitable_condition(settings_of(without_regions(scene), 1));
+  return sdpd::suitable_condition(settings_of(fluid_alone(scene), 1));
 }
 
 } // namespace
@@ -48,7 +49,7 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
 }
 
 sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads) {
-  return settings_of(without_regions(scene), threads);
+  return settings_of(fluid_alone(scene), threads);
 }
 
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {
