@@ -14,16 +14,24 @@ double weight_of(Particles const& of, NeighbourWeights weights, Index j) {
 /// Progress and weights of a block's particles; those of the phantom pair are zero.
 struct BlockReactants {
   std::vector<double> progress, weight;
-  double hottest = 0, heaviest = 0;
+  double hottest = 0, heaviest = 0, most_fuel = 0, most_product = 0;
 
   void copy_in(System const& system, BlockMembers const& members, NeighbourWeights weights) {
     auto const& of = system.particles;
     progress.assign(size(members) + 2, 0), weight.assign(size(members) + 2, 0);
-    hottest = heaviest = 0;
+    hottest = heaviest = most_fuel = most_product = 0;
     for_each_member(members, [&](std::size_t local, Index i, Vec3 const&) {
       progress[local] = of.progress[i], weight[local] = weight_of(of, weights, i);
       hottest = std::max(hottest, of.T[i]), heaviest = std::max(heaviest, weight[local]);
+      most_fuel = std::max(most_fuel, 1 - of.progress[i]);
+      most_product = std::max(most_product, of.progress[i]);
     });
+  }
+  /// No particle's lambda changes faster by the others.
+  double fastest(SecondOrder const& law, double W_most) const {
+    double const forward = law.forward(hottest) * most_fuel * most_fuel,
+                 back = law.back.acts() ? law.back(hottest) * most_product * most_product : 0;
+    return (forward + back) * heaviest * W_most * static_cast<double>(progress.size());
   }
 };
 
@@ -77,8 +85,7 @@ void add_pairs(System& system, SecondOrder const& law, Kernel const& kernel, dou
     thread_local AddRates::Sums sums;
     auto const members = neighbours.members(block);
     reactants.copy_in(system, members, law.weights);
-    double const fastest = law.forward(reactants.hottest) + law.back(reactants.hottest);
-    if (fastest * reactants.heaviest * W_most * static_cast<double>(size(members)) * h < nothing)
+    if (reactants.fastest(law, W_most) * h < nothing)
       return;
     copy_rows(
         members, system.particles.q, [&](Index i) { return system.particles.T[i]; }, 0.5 * neighbours.range(),

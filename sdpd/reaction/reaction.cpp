@@ -70,13 +70,17 @@ void note_start(System& system) {
   });
 }
 
-/// T, S and P of the particles whose energy or mixture is another than at the start.
-void follow(System& system) {
+/// A change of lambda whose heat changes no rate by more than about 1e-9.
+constexpr double without_heat = 1e-10;
+
+/// T, S and P of the particles whose lambda has changed by more than so much since the start.
+void follow(System& system, double change) {
   Failure failure;
   auto const& of = system.particles;
   auto const& start = system.reaction_start;
   auto const changed = [&](std::size_t i) {
-    return of.eps[i] != start.eps[i] || (of.progress[i] != start.progress[i] && of.progress[i] >= pure_below);
+    return std::abs(of.progress[i] - start.progress[i]) > change &&
+           (of.eps[i] != start.eps[i] || of.progress[i] >= pure_below);
   };
   for_each_range(system, [&](Range range) {
     for (std::size_t begin = range.begin, end = begin; begin < range.end; begin = end) {
@@ -98,13 +102,13 @@ void react(System& system, Law const& law, double dt) {
     double const parts = parts_of(system, law, left), h = left / parts;
     if (system.reaction->integrator == RateIntegrator::midpoint) {
       advance(system, 0.5 * h);
-      follow(system);
+      follow(system, without_heat);
       find_rates(system, law, h);
     }
     advance(system, h);
     left = parts > 1 ? left - h : 0;
     if (left > 0)
-      follow(system);
+      follow(system, 0);
   }
 }
 

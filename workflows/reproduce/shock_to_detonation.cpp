@@ -1,5 +1,6 @@
 #include "workflows/detonation_study/detonation_runs.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/report/plot.hpp"
 #include "workflows/reproduce/list.hpp"
 #include "workflows/sdpd/space_time.hpp"
 #include <algorithm>

@@ -12,8 +12,9 @@ namespace mesobridge::workflows {
 
 namespace {
 
-/// [fluid] without the regions in it, by which all densities are calibrated.
-Scene without_regions(Scene scene) {
+/// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
+Scene fluid_alone(Scene scene) {
+  scene.reaction = {};
   if (has_layout(scene))
     scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // of which a part is run
   return scene;
@@ -30,7 +31,7 @@ CalibratedState state_of(Scene const& scene) {
   if (particles.density != "calibrated-shocked")
     return {scene.fluid.rho, scene.fluid.T};
   try {
-    auto const shock = piston_shock(settings_of(without_regions(scene), 1), scene.box.piston.value());
+    auto const shock = piston_shock(settings_of(fluid_alone(scene), 1), scene.box.piston.value());
     return {shock->behind.rho, shock->behind.T};
   } catch (PhysicsError const& error) {
     throw InputError(fmt::format("particles.density = \"{}\": {}", particles.density, error.what()));
@@ -78,7 +79,7 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
 }
 
 sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads) {
-  auto const settings = settings_of(without_regions(scene), threads);
+  auto const settings = settings_of(fluid_alone(scene), threads);
   return scene.features().densities ? at(state_of(scene), settings) : settings;
 }
 
