@@ -19,7 +19,8 @@ struct Edge {
 
   int cell_of(double at) const { return static_cast<int>(std::clamp(at / length * cells, 0.0, cells - 1.0)); }
   double nearest(double way) const { return way - turns(way) * length; }
-  /// A periodic box is at least twice as long as the range: where the two ends are as near, it does not matter.
+  /// A periodic box is at least twice as long as the range: where the two ends are as near, it does not
+  /// matter.
   double turns(double way) const { return periodic ? std::nearbyint(way * inverse) : 0; }
 
   /// Calls f for the cell and those beside it, each once.
@@ -39,8 +40,8 @@ struct Place {
   int cell_a, cell_b;
 };
 
-/// What the search for images works with, kept so that no step allocates: the places in the layer's order, and
-/// again cell after cell, in each in that order.
+/// What the search for images works with, kept so that no step allocates: the places in the layer's order,
+/// and again cell after cell, in each in that order.
 struct Search {
   std::vector<Place> places;
   std::vector<std::size_t> begin, next; ///< of the cells
@@ -53,9 +54,8 @@ template <std::size_t walls>
 class ImageSearch {
  public:
   ImageSearch(System const& system, std::array<Wall const*, walls> const& of)
-      : system_(system), walls_(of), range_(system.neighbours.range()),
-        a_(free_edge(0)), b_(free_edge(1)),
-        axes_{axis(0), axis(1), axis(2)} {
+      : system_(system), walls_(of), range_(system.neighbours.range()), a_(free_edge(0)),
+        b_(free_edge(1)), axes_{axis(0), axis(1), axis(2)} {
     for (std::size_t k = 0; k < walls; ++k)
       now_[k] = of[k]->position(system.wall_time);
   }
@@ -176,7 +176,8 @@ class ImageSearch {
     return (d == walls ? a_ : b_).nearest(here - there);
   }
 
-  /// Of the particles begin ... end-1 in the order of the cells: squares of distances first, which vectorises.
+  /// Of the particles begin ... end-1 in the order of the cells: squares of distances first, which
+  /// vectorises.
   void look(Search const& search, Place const& here, std::size_t begin, std::size_t end,
             std::vector<WallImage>& seen) const {
     constexpr std::size_t at_once = 64;
@@ -184,7 +185,8 @@ class ImageSearch {
     for (; begin < end; begin += at_once) {
       std::size_t const count = std::min(at_once, end - begin);
       for (std::size_t m = 0; m < count; ++m) {
-        double const x = way(0, here.at[0], search.at[0][begin + m]), y = way(1, here.at[1], search.at[1][begin + m]),
+        double const x = way(0, here.at[0], search.at[0][begin + m]),
+                     y = way(1, here.at[1], search.at[1][begin + m]),
                      z = way(2, here.at[2], search.at[2][begin + m]);
         r2[m] = x * x + y * y + z * z;
       }

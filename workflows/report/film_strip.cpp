@@ -19,8 +19,8 @@ constexpr double narrowest = 40, tallest = 420; ///< heights of a frame, in pixe
 struct Colour {
   int red, green, blue;
 };
-constexpr std::array<Colour, 5> stops{{{0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c},
-                                       {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}}};
+constexpr std::array<Colour, 5> stops{
+    {{0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}}};
 
 void check(FilmStrip const& strip) {
   bool fits = !strip.frames.empty();
@@ -62,7 +62,8 @@ struct Layout {
 
 /// The points of one shade are one path of dots.
 std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout const& at, int number) {
-  double const scale_x = at.width / (strip.x_to - strip.x_from), scale_y = at.height / (strip.y_to - strip.y_from);
+  double const scale_x = at.width / (strip.x_to - strip.x_from),
+               scale_y = at.height / (strip.y_to - strip.y_from);
   std::array<std::string, shades> dots;
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
     double const x = frame.x[k], y = frame.y[k];
@@ -77,7 +78,8 @@ std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout
   std::string svg = fmt::format("<g fill='none' stroke-linecap='round' stroke-width='{:.1f}'>\n", size);
   for (std::size_t shade = 0; shade < shades; ++shade)
     if (!dots[shade].empty())
-      svg += fmt::format("<path stroke='{}' d='{}'/>\n", film_colour((double(shade) + 0.5) / shades), dots[shade]);
+      svg += fmt::format("<path stroke='{}' d='{}'/>\n", film_colour((double(shade) + 0.5) / shades),
+                         dots[shade]);
   return svg + "</g>\n";
 }
 
@@ -101,7 +103,9 @@ std::string film_colour(double share) {
   double const at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
   auto const k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   double const part = at - static_cast<double>(k);
-  auto const mix = [&](int Colour::*of) { return std::lround(std::lerp(stops[k].*of, stops[k + 1].*of, part)); };
+  auto const mix = [&](int Colour::*of) {
+    return std::lround(std::lerp(stops[k].*of, stops[k + 1].*of, part));
+  };
   return fmt::format("#{:02x}{:02x}{:02x}", mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue));
 }
 
@@ -117,11 +121,11 @@ std::string draw_svg(FilmStrip const& strip) {
   check(strip);
   Layout const at(strip);
   double const full_width = plot_width * 1.5, full_height = at.bottom_edge() + bottom;
-  std::string svg =
-      fmt::format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {:.0f} {:.0f}' role='img' "
-                  "font-family='{}' font-size='13' fill='currentColor'>\n<title>{}: {} over {} and {}</title>\n",
-                  full_width, full_height, plot_font, html_escaped(strip.title), html_escaped(strip.value_label),
-                  html_escaped(strip.x_label), html_escaped(strip.y_label));
+  std::string svg = fmt::format(
+      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {:.0f} {:.0f}' role='img' "
+      "font-family='{}' font-size='13' fill='currentColor'>\n<title>{}: {} over {} and {}</title>\n",
+      full_width, full_height, plot_font, html_escaped(strip.title), html_escaped(strip.value_label),
+      html_escaped(strip.x_label), html_escaped(strip.y_label));
   svg += text_at(left + (full_width - left - right_margin) / 2, 20, "middle", strip.title);
   int const frames = static_cast<int>(strip.frames.size());
   for (int k = 0; k < frames; ++k) {
@@ -162,13 +166,15 @@ void draw_png(FilmStrip const& strip, std::size_t frame_number, std::string cons
       "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\nunset key\n"
       "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
       "set cbrange [{}:{}]\n$points << EOD\n",
-      width, height, plot_font, quoted_file, escaped(strip.title + ", " + frame.title), escaped(strip.x_label),
-      escaped(strip.y_label), escaped(strip.value_label), strip.x_from, strip.x_to, strip.y_from, strip.y_to,
-      strip.value_from, strip.value_to > strip.value_from ? strip.value_to : strip.value_from + 1);
+      width, height, plot_font, quoted_file, escaped(strip.title + ", " + frame.title),
+      escaped(strip.x_label), escaped(strip.y_label), escaped(strip.value_label), strip.x_from, strip.x_to,
+      strip.y_from, strip.y_to, strip.value_from,
+      strip.value_to > strip.value_from ? strip.value_to : strip.value_from + 1);
   for (std::size_t k = 0; k < frame.x.size(); ++k)
     script += fmt::format("{:.6g} {:.6g} {:.6g}\n", frame.x[k], frame.y[k], frame.value[k]);
-  script += frame.x.empty() ? "EOD\nplot NaN\n"
-                            : fmt::format("EOD\nplot $points using 1:2:3 with points pt 7 ps {:.2f} palette\n", point);
+  script += frame.x.empty()
+                ? "EOD\nplot NaN\n"
+                : fmt::format("EOD\nplot $points using 1:2:3 with points pt 7 ps {:.2f} palette\n", point);
   if (auto const result = run_process({"gnuplot", "-d"}, script); result.status != 0)
     throw EnvironmentError(fmt::format("gnuplot could not draw '{}': {}", file, result.errors));
 }

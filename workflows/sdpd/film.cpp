@@ -13,7 +13,8 @@ constexpr std::size_t most_frames = 12, most_points = 6000;
 
 /// The value below which a share of all are.
 double quantile(std::vector<double> values, double share) {
-  auto const at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  auto const at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, at);
   return *at;
 }
@@ -76,7 +77,8 @@ std::optional<FilmStrip> film_of(Store const& store, Scene const& scene,
   Vec3 const edge = units.length * sdpd::box_of(settings).edge;
   auto const [x_from, x_to] =
       extent(component(edge, view.right) * x.factor, open[static_cast<std::size_t>(view.right)], xs);
-  auto const [y_from, y_to] = extent(component(edge, view.up) * y.factor, open[static_cast<std::size_t>(view.up)], ys);
+  auto const [y_from, y_to] =
+      extent(component(edge, view.up) * y.factor, open[static_cast<std::size_t>(view.up)], ys);
   FilmStrip strip{.name = "film",
                   .title = with_raised_numbers(value.label) + " of the particles of a slab",
                   .x_label = x.label,
@@ -116,11 +118,12 @@ std::optional<Section> film_section(Store const& store, Scene const& scene,
   OutputUnits const units(settings.units(), scene.units);
   auto const length = axis_of("z" + units.length_key);
   double const thickness = (view.upper - view.lower) * units.length * length.factor;
-  std::string const caption = fmt::format(
-      "Particles of a slab of the thickness {}{} in the middle of the box, seen along {}{}. The colours span from "
-      "the 2nd to the 98th percentile of all frames' particles.",
-      number_text(thickness, 3), units.length_key.empty() ? "" : " nm", "xyz"[view.along],
-      thinned ? "; every few particles one is drawn" : "");
+  std::string const caption =
+      fmt::format("Particles of a slab of the thickness {}{} in the middle of the box, seen along {}{}. The "
+                  "colours span from "
+                  "the 2nd to the 98th percentile of all frames' particles.",
+                  number_text(thickness, 3), units.length_key.empty() ? "" : " nm", "xyz"[view.along],
+                  thinned ? "; every few particles one is drawn" : "");
   return Section{"Film", {Figure{{draw_svg(*strip)}, caption}}};
 }
 

@@ -70,7 +70,8 @@ void FilmSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double ti
       store_.append(path, *numbers);
   auto const frames = store_.contains(group + "/end") ? store_.rows(group + "/end") : 0;
   std::int64_t const before =
-      frames > 0 ? store_.read_integer_row(group + "/end", frames - 1, {.row_shape = Store::Shape{}}).at(0) : 0;
+      frames > 0 ? store_.read_integer_row(group + "/end", frames - 1, {.row_shape = Store::Shape{}}).at(0)
+                 : 0;
   std::int64_t const end = before + static_cast<std::int64_t>(right.size());
   store_.append(group + "/end", std::span(&end, 1));
   store_.append(group + "/time" + units_.time_key, std::span(&time, 1));

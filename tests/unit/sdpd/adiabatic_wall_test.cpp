@@ -107,8 +107,8 @@ TEST(AdiabaticWall, LeavesTheInvariantMeasureAlone) {
       auto const mean = cg::estimate_mean(std::span(shares).subspan(settled)),
                  mean_square = cg::estimate_mean(std::span(squares).subspan(settled));
       double const expected = 1.5 / (1.5 + a), expected_square = expected * 2.5 / (2.5 + a);
-      EXPECT_TRUE(cg::agrees(mean, expected, 4)) << sdpd << dt << " " << mean.mean << " " << mean.se << " "
-                                                 << expected;
+      EXPECT_TRUE(cg::agrees(mean, expected, 4))
+          << sdpd << dt << " " << mean.mean << " " << mean.se << " " << expected;
       EXPECT_TRUE(cg::agrees(mean_square, expected_square, 4)) << sdpd << dt;
       EXPECT_LT(mean.se, 0.02 * expected) << sdpd << dt;
       EXPECT_FALSE(cg::agrees(mean, 1.5 / (1.5 + a + (sdpd ? 1 : -1)), 4)) << sdpd << dt;

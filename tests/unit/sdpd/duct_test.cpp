@@ -8,8 +8,8 @@ namespace {
 
 // A viscous ideal gas without noise that a body force drives along a square duct: in the mean over the cross
 // section 0.035144 rho g L^2/eta, on the axis 0.073671 of it, by the series of White, Viscous Fluid Flow,
-// section 3-3; between two planes their ratio would be 2/3. (In a lattice without disorder, rows of particles slide
-// past each other with less friction.)
+// section 3-3; between two planes their ratio would be 2/3. (In a lattice without disorder, rows of particles
+// slide past each other with less friction.)
 TEST(Duct, HasTheVelocitiesOfPoiseuillesFlow) {
   auto s = ideal_gas(100, 0.05);
   s.as<Sdpd>().kernel = "wendland-c4";

@@ -34,10 +34,11 @@ SimulationSettings closed(SimulationSettings s, std::vector<int> const& axes) {
 
 std::vector<Case> fluids() {
   std::vector<Case> all;
-  for (auto const& [name, settings] : {std::pair<std::string, SimulationSettings>{"ideal_gas", ideal_gas(50, 0.02)},
-                                       {"argon", argon(50, 0.02)},
-                                       {"dpde", dpde_fluid(40, 0.01, 2)},
-                                       {"dpd", dpd_fluid()}}) {
+  for (auto const& [name, settings] :
+       {std::pair<std::string, SimulationSettings>{"ideal_gas", ideal_gas(50, 0.02)},
+        {"argon", argon(50, 0.02)},
+        {"dpde", dpde_fluid(40, 0.01, 2)},
+        {"dpd", dpd_fluid()}}) {
     all.push_back({name + "_in_a_duct", {1, 2}, closed(settings, {1, 2})});
     all.push_back({name + "_in_a_box", {0, 1, 2}, closed(settings, {0, 1, 2})});
   }
@@ -129,7 +130,8 @@ TEST_P(EveryEnclosedFluid, IsAPartOfASymmetricPeriodicOne) {
   }
   EXPECT_GT(in_corners, 6);
   double const times = static_cast<double>(copies);
-  EXPECT_NEAR(whole->potential_energy, times * part->potential_energy, 1e-9 * std::abs(whole->potential_energy));
+  EXPECT_NEAR(whole->potential_energy, times * part->potential_energy,
+              1e-9 * std::abs(whole->potential_energy));
   EXPECT_NEAR(whole->virial / (times * part->virial), 1, 1e-7);
 }
 

@@ -94,7 +94,8 @@ TEST(MotionTable, CompressesSlowlyAlongTheIsentrope) {
   double const isentrope = std::pow(1 / 0.8, 2.0 / 3);
   // By 0.5 %: friction of the flow heats it a little.
   EXPECT_NEAR(after.internal / before.internal / isentrope, 1, 0.005);
-  EXPECT_NEAR(after.P / before.P / std::pow(1 / 0.8, 5.0 / 3), 1, 0.02); // by the virial of a flattened lattice
+  EXPECT_NEAR(after.P / before.P / std::pow(1 / 0.8, 5.0 / 3), 1,
+              0.02); // by the virial of a flattened lattice
   EXPECT_NEAR((after.internal + after.kinetic - before.internal - before.kinetic) / after.wall_work, 1, 1e-3);
 }
 

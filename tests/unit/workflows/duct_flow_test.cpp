@@ -5,9 +5,9 @@
 namespace mesobridge::workflows {
 namespace {
 
-// Shah and London 1978, Laminar Flow Forced Convection in Ducts: f Re = D^2/2U in these units, D = 2ab/(a + b),
-// is 14.22708 in a square, where the velocity on the axis is 2.0962 times the mean one, and 15.54806 in a duct of
-// 1 : 2. A very wide one is a gap between two planes.
+// Shah and London 1978, Laminar Flow Forced Convection in Ducts: f Re = D^2/2U in these units, D = 2ab/(a +
+// b), is 14.22708 in a square, where the velocity on the axis is 2.0962 times the mean one, and 15.54806 in a
+// duct of 1 : 2. A very wide one is a gap between two planes.
 TEST(Duct, HasThePublishedVelocities) {
   Duct const square{1, 1};
   EXPECT_NEAR(0.5 / square.mean_velocity(), 14.22708, 1e-4);

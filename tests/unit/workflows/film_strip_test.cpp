@@ -34,7 +34,8 @@ int count(std::string const& text, std::string const& pattern) {
 TEST(FilmStrip, ShowsThePointsOfEachFrameOnceWithTitlesAndAScale) {
   auto const svg = draw_svg(two_frames());
   EXPECT_EQ(count(svg, "M[0-9.]+ [0-9.]+h0"), 4); // one lies outside
-  for (auto const* text : {"t = 0 ps", "t = 3 ps", "&lt;some&gt;", ">z [nm]<", ">x [nm]<", ">T [K]<", ">300<", ">900<"})
+  for (auto const* text :
+       {"t = 0 ps", "t = 3 ps", "&lt;some&gt;", ">z [nm]<", ">x [nm]<", ">T [K]<", ">300<", ">900<"})
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   EXPECT_EQ(count(svg, "stroke='#8c959f'"), 2);
   EXPECT_TRUE(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
