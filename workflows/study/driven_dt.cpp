@@ -28,7 +28,6 @@ constexpr double part_of_spacing = 0.5; ///< that it may cross in the longest st
 constexpr double deepest = 1e-3;      ///< of the largest time step: the search ends there
 constexpr int most_trials = 12;
 constexpr double start_time = 20;     ///< reduced time to equilibrium before the trials
-constexpr double start_dt = 0.05;
 
 double largest_component(std::vector<double> const& v) {
   double found = 0;
@@ -80,6 +79,12 @@ std::int64_t steps_of_trial(Scene const& scene, double dt, double velocity) {
 
 double start_time_of(Scene const& scene) {
   return scene.run.equilibrate > 0 ? start_time : 0;
+}
+
+/// Nothing drives the fluid yet.
+double start_dt(Scene const& scene) {
+  constexpr double of_fluids = 0.05;
+  return of_fluids / tries_of(scene).shorter_start;
 }
 
 double rounded_down(double dt) {
@@ -139,7 +144,7 @@ class Search {
   sdpd::Checkpoint const& start() {
     if (!start_)
       start_ = sdpd::equilibrated_start(settings_with(scene_, largest_, options_.threads),
-                                        std::min(start_dt, largest_), start_time_of(scene_),
+                                        start_dt(scene_), start_time_of(scene_),
                                         [&] { return options_.keep_going(0, "start"); });
     return *start_;
   }
@@ -170,7 +175,7 @@ double work_of_balance_trials(Scene const& scene) {
   double const velocity = fastest_wave(scene, settings_with(scene, dt, 1));
   return static_cast<double>(particles_of(scene)) *
          (usual_trials * static_cast<double>(steps_of_trial(scene, dt, velocity)) +
-          start_time_of(scene) / std::min(start_dt, dt));
+          start_time_of(scene) / start_dt(scene));
 }
 
 } // namespace mesobridge::workflows
