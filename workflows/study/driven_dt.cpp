@@ -22,12 +22,12 @@ void for_each_member(Result& r, F const& f) {
 
 namespace {
 
-constexpr double part_of_run = 0.2;   ///< that a trial makes
-constexpr double crossed = 20;        ///< spacings that what is fastest crosses in a trial
+constexpr double part_of_run = 0.2;     ///< that a trial makes
+constexpr double crossed = 20;          ///< spacings that what is fastest crosses in a trial
 constexpr double part_of_spacing = 0.5; ///< that it may cross in the longest step
-constexpr double deepest = 1e-3;      ///< of the largest time step: the search ends there
+constexpr double deepest = 1e-3;        ///< of the largest time step: the search ends there
 constexpr int most_trials = 12;
-constexpr double start_time = 20;     ///< reduced time to equilibrium before the trials
+constexpr double start_time = 20; ///< reduced time to equilibrium before the trials
 
 double largest_component(std::vector<double> const& v) {
   double found = 0;
@@ -94,7 +94,8 @@ double rounded_down(double dt) {
 
 /// The next time step after one that failed or kept less than was wished for: the error goes as its square.
 double next_dt(sdpd::BalanceResult const& trial, double wished) {
-  double const factor = trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
+  double const factor =
+      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
   return rounded_down(trial.dt * factor);
 }
 
@@ -137,15 +138,17 @@ class Search {
     auto const steps = steps_of_trial(scene_, dt, velocity_);
     auto const told = [&](double share) { return options_.keep_going((k + share) / most_trials, name); };
     return sdpd::run_balance_trial(
-        {.settings = settings_with(scene_, dt, options_.threads), .steps = steps, .run_steps = scene_.run.steps},
+        {.settings = settings_with(scene_, dt, options_.threads),
+         .steps = steps,
+         .run_steps = scene_.run.steps},
         start(), [&](std::int64_t done) { return told(static_cast<double>(done) / double(steps)); });
   }
 
   sdpd::Checkpoint const& start() {
     if (!start_)
-      start_ = sdpd::equilibrated_start(settings_with(scene_, largest_, options_.threads),
-                                        start_dt(scene_), start_time_of(scene_),
-                                        [&] { return options_.keep_going(0, "start"); });
+      start_ =
+          sdpd::equilibrated_start(settings_with(scene_, largest_, options_.threads), start_dt(scene_),
+                                   start_time_of(scene_), [&] { return options_.keep_going(0, "start"); });
     return *start_;
   }
 
