@@ -48,7 +48,8 @@ std::string MetalPistonSettings::description() const {
   return fmt::format("{} by {} ({}), an {} crystal at {:.6g} kg/m^3, {} K before a piston at {} m/s along "
                      "<100>, {} atoms in a box of {} x {} x {} cells, time step {:.3g} fs, seed {}",
                      potential.element, potential.file.filename().string(), potential.style, name_of(lattice),
-                     ahead.rho, ahead.T, v_P, atoms(), cells_across, cells_across, cells_along, dt * 1e15, seed);
+                     ahead.rho, ahead.T, v_P, atoms(), cells_across, cells_across, cells_along, dt * 1e15,
+                     seed);
 }
 
 MetalPistonSettings metal_piston_settings(Preset preset, MetalPotential const& potential, Lattice lattice,

@@ -9,12 +9,12 @@ namespace mesobridge::md {
 /// otherwise.
 struct MetalPistonSettings {
   MetalPotential potential;
-  Lattice lattice = Lattice::fcc; ///< fcc or bcc
-  MetalState ahead;               ///< density and temperature of the crystal at rest
-  double v_P = 1500;              ///< velocity of the piston [m/s]
-  int cells_across = 6;           ///< cubic cells along x and y
-  int cells_along = 100;          ///< along z
-  double dt = 1e-15;              ///< time step [s]
+  Lattice lattice = Lattice::fcc;          ///< fcc or bcc
+  MetalState ahead;                        ///< density and temperature of the crystal at rest
+  double v_P = 1500;                       ///< velocity of the piston [m/s]
+  int cells_across = 6;                    ///< cubic cells along x and y
+  int cells_along = 100;                   ///< along z
+  double dt = 1e-15;                       ///< time step [s]
   std::int64_t equilibration_steps = 1000; ///< at T, all faces periodic
   std::int64_t sample_every = 20;          ///< steps
   std::uint64_t seed = 1;

@@ -6,17 +6,63 @@ namespace mesobridge::sdpd {
 namespace {
 
 constexpr double start_zone = 40, far_zone = 10, piston_zone = 15, front_zone = 12; // in spacings
+constexpr double part_width = 5; ///< in spacings: as wide as the usual kernels
 
-/// Mean over the plateau of one frame.
-double behind(std::vector<double> const& values, ShockFrame const& frame, ShockScale const& scale,
-              double front) {
-  double sum = 0, count = 0;
-  for (std::size_t s = 0; s < values.size(); ++s)
-    if (scale.position[s] > frame.piston + piston_zone * scale.spacing &&
-        scale.position[s] < front - front_zone * scale.spacing)
+/// A quantity behind the front: the means over the plateau of each frame, and sums over the frames for parts
+/// of the matter in it, which move on with the piston.
+class Plateau {
+ public:
+  /// One frame's values over its slices.
+  void add(std::vector<double> const& values, ShockFrame const& frame, ShockScale const& scale,
+           double front) {
+    double sum = 0, count = 0;
+    for (std::size_t s = 0; s < values.size(); ++s) {
+      double const depth = (scale.position[s] - frame.piston) / scale.spacing - piston_zone;
+      if (!(depth > 0 && scale.position[s] < front - front_zone * scale.spacing))
+        continue;
       sum += values[s], ++count;
-  return sum / count;
-}
+      auto const part = static_cast<std::size_t>(depth / part_width);
+      if (parts_.size() <= part)
+        parts_.resize(part + 1);
+      parts_[part].sum += values[s], ++parts_[part].count;
+    }
+    means_.push_back(sum / count);
+  }
+
+  /// Of the frames.
+  std::span<double const> means() const { return means_; }
+
+  /// With the larger of two errors: of blocks of frames, and of the parts of the matter, which hardly changes
+  /// from frame to frame.
+  cg::Estimate estimate() const {
+    auto found = by_blocks(means_.size(), [&](std::size_t first, std::size_t count) {
+      return mean_of(std::span(means_).subspan(first, count));
+    });
+    found.se = std::max(found.se, error_of_parts());
+    return found;
+  }
+
+ private:
+  struct Part {
+    double sum = 0, count = 0;
+  };
+
+  /// Of their mean, weighted with what has been seen of each; 0 for fewer than three.
+  double error_of_parts() const {
+    double sum = 0, count = 0, square = 0, seen = 0;
+    for (auto const& part : parts_)
+      sum += part.sum, count += part.count;
+    for (auto const& part : parts_)
+      if (part.count > 0) {
+        double const off = part.sum - part.count * sum / count;
+        square += off * off, ++seen;
+      }
+    return seen < 3 ? 0 : std::sqrt(square * seen / (seen - 1)) / count;
+  }
+
+  std::vector<double> means_;
+  std::vector<Part> parts_;
+};
 
 constexpr double ahead_zone = 8; // in spacings, as far as the front is from the far end at least
 
@@ -66,7 +112,7 @@ std::optional<double> front_position(ShockFrame const& frame, ShockScale const& 
 
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale) {
   SteadyShock shock;
-  std::vector<double> rho, P, T;
+  Plateau rho, P, T;
   Masses masses;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     auto const front = front_position(frames[k], scale);
@@ -78,7 +124,7 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
     shock.times.push_back(frames[k].time), shock.fronts.push_back(*front);
     masses.add(frames[k], scale, *front);
     for (auto const& [to, from] : {std::pair(&rho, &frames[k].rho), {&P, &frames[k].P}, {&T, &frames[k].T}})
-      to->push_back(behind(*from, frames[k], scale, *front));
+      to->add(*from, frames[k], scale, *front);
   }
   if (shock.times.size() < least_frames)
     return std::nullopt;
@@ -91,11 +137,9 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
   });
   shock.v_S_gibbs = by_blocks(n, [&](std::size_t first, std::size_t count) {
     return slope_of(part(shock.times, first, count),
-                    masses.surfaces(first, count, mean_of(part(rho, first, count))));
+                    masses.surfaces(first, count, mean_of(rho.means().subspan(first, count))));
   });
-  for (auto const& [to, from] : {std::pair(&shock.rho, &rho), {&shock.P, &P}, {&shock.T, &T}})
-    *to = by_blocks(n,
-                    [&](std::size_t first, std::size_t count) { return mean_of(part(*from, first, count)); });
+  shock.rho = rho.estimate(), shock.P = P.estimate(), shock.T = T.estimate();
   return shock;
 }
 

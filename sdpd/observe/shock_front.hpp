@@ -35,8 +35,9 @@ struct SteadyShock {
 /// the piston, where the start has left its trace, to 12 behind the front. The velocity is the slope of a
 /// straight line of the last half-height crossing, and beside it that of Gibbs's surface (sdpd/README.md, Eq.
 /// (S58)), whose states ahead and behind are those of the same frames. Neighbouring frames see the same
-/// matter, so that all errors come from the means of six blocks of frames. Nothing for fewer than 12 such
-/// frames.
+/// matter, so that their errors come from six blocks of frames, and those of the state from these or, where
+/// they are larger, from the differences between parts of the matter behind the front, 5 spacings each, that
+/// moves on with the piston. Nothing for fewer than 12 such frames.
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale);
 
 } // namespace mesobridge::sdpd

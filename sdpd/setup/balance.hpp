@@ -39,8 +39,8 @@ double error_share(BalanceSeries const& series);
 /// growth of its largest value; what comes from outside grows linearly, what is exchanged not at all.
 double error_share_at(BalanceSeries const& series, double time);
 
-/// Runs a trial from a state at rest (equilibrated_start). Failures of the physics are results. Throws Interrupted when `keep_going`,
-/// which is told the steps done, says no.
+/// Runs a trial from a state at rest (equilibrated_start). Failures of the physics are results. Throws
+/// Interrupted when `keep_going`, which is told the steps done, says no.
 BalanceResult run_balance_trial(BalanceTrial const& trial, Checkpoint const& start,
                                 std::function<bool(std::int64_t)> const& keep_going);
 

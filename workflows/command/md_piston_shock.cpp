@@ -74,7 +74,8 @@ Plan argon_plan(Options const& options, Context const& context, std::filesystem:
 }
 
 Plan metal_plan(Options const& options, Context const& context, std::filesystem::path const& log_file) {
-  require(!options.cutoff, "--cutoff", options.cutoff.value_or(0), "must not be given: the potential has its own");
+  require(!options.cutoff, "--cutoff", options.cutoff.value_or(0),
+          "must not be given: the potential has its own");
   auto const potential = md::read_metal_potential(options.metal, options.element);
   auto const lattice = options.lattice.empty() ? potential.lattice : md::lattice_of(options.lattice);
   Ahead ahead{options.rho0.value_or(0), options.T0.value_or(300), options.v_P.value_or(1500), potential.mass};
@@ -97,8 +98,8 @@ Plan metal_plan(Options const& options, Context const& context, std::filesystem:
 Plan plan_of(Options const& options, Context const& context) {
   auto const directory = context.output_directory("out/piston-shock");
   auto const log_file = directory / "lammps.log";
-  auto plan = options.metal.empty() ? argon_plan(options, context, log_file)
-                                    : metal_plan(options, context, log_file);
+  auto plan =
+      options.metal.empty() ? argon_plan(options, context, log_file) : metal_plan(options, context, log_file);
   plan.job.directory = directory;
   auto const sample_every = std::visit([](auto const& of) { return of.sample_every; }, plan.job.settings);
   require(plan.job.steps >= sample_every, "--steps", plan.job.steps,
@@ -185,14 +186,10 @@ Result piston_shock(Options const& options, Context const& context) {
   if (shock && !exact.empty())
     shock->exact = exact.front().shock;
   auto const seed = std::visit([](auto const& of) { return of.seed; }, job.settings);
-  Json summary{{"file", job.file().string()},
-               {"settings", data.description},
-               {"atoms", data.atoms},
-               {"steps", job.steps},
-               {"rho0_kg_m3", ahead.rho0},
-               {"T0_K", ahead.T0},
-               {"v_P_m_s", ahead.v_P},
-               {"seed", seed}};
+  Json summary{{"file", job.file().string()}, {"settings", data.description},
+               {"atoms", data.atoms},         {"steps", job.steps},
+               {"rho0_kg_m3", ahead.rho0},    {"T0_K", ahead.T0},
+               {"v_P_m_s", ahead.v_P},        {"seed", seed}};
   if (shock)
     put_shock(summary, *shock, units_of(ahead));
   for (auto const& one : exact)
@@ -213,15 +210,17 @@ Result piston_shock(Options const& options, Context const& context) {
 
 void declare(CLI::App& app, Options& options) {
   add_preset(app, options.preset, "quick (minutes), standard (a quarter of an hour) or paper");
-  app.add_option("--metal", options.metal,
-                 "A metal in place of argon: its embedded-atom potential (.eam, .eam.alloy, .eam.fs), a file, "
-                 "or a name in lammps-data; the piston moves along <100>")
+  app.add_option(
+         "--metal", options.metal,
+         "A metal in place of argon: its embedded-atom potential (.eam, .eam.alloy, .eam.fs), a file, "
+         "or a name in lammps-data; the piston moves along <100>")
       ->type_name("FILE");
   app.add_option("--element", options.element, "Element of the potential (default: its only one)")
       ->type_name("NAME");
   app.add_option("--lattice", options.lattice, "fcc or bcc (default: the potential's)")->type_name("NAME");
-  app.add_option("--hugoniot", options.hugoniot,
-                 "hugoniot.csv of `md hugoniot` for the same metal from the same --rho0, --T0: compare with it")
+  app.add_option(
+         "--hugoniot", options.hugoniot,
+         "hugoniot.csv of `md hugoniot` for the same metal from the same --rho0, --T0: compare with it")
       ->type_name("FILE");
   app.add_option("--rho0", options.rho0,
                  "Density at rest [kg/m^3] (default: 1150; of a metal about that of zero pressure)")

@@ -92,13 +92,13 @@ PistonData read_piston(std::filesystem::path const& file) {
   if (!store.is_group(group) || !store.has_attribute("settings", "v_P_m_s"))
     throw InputError(fmt::format("'{}' holds no run of `md piston-shock`", file.string()));
   PistonData data{.description = store.read_text_attribute("settings", "description"),
-                    .atoms = store.read_integer_attribute("settings", "atoms", {.least = 1}),
-                    .complete = store.read_integer_attribute("settings", "complete") != 0,
-                    .scale = {.position = store.read_doubles(group + "/position_m",
-                                                             {.least_rows = 2, .row_shape = Store::Shape{}}),
-                              .v_P = store.read_double_attribute("settings", "v_P_m_s", {.above = 0}),
-                              .spacing = store.read_double_attribute("settings", "spacing_m", {.above = 0})},
-                    .frames = {}};
+                  .atoms = store.read_integer_attribute("settings", "atoms", {.least = 1}),
+                  .complete = store.read_integer_attribute("settings", "complete") != 0,
+                  .scale = {.position = store.read_doubles(group + "/position_m",
+                                                           {.least_rows = 2, .row_shape = Store::Shape{}}),
+                            .v_P = store.read_double_attribute("settings", "v_P_m_s", {.above = 0}),
+                            .spacing = store.read_double_attribute("settings", "spacing_m", {.above = 0})},
+                  .frames = {}};
   if (!store.contains(group + "/time_s"))
     return data; // interrupted before its first sample
   auto const time = store.read_doubles(group + "/time_s", {.row_shape = Store::Shape{}});

@@ -21,10 +21,11 @@ std::vector<Row> rows_of(std::filesystem::path const& file) {
       row[table.header.cells[c]] = csv_number(table, line, c);
     rows.push_back(std::move(row));
   }
-  for (auto const* column : {"rho0_kg_m3", "v_P_m_s", "v_S_m_s", "v_S_se_m_s", "rho_kg_m3", "P_Pa", "P_se_Pa",
-                             "T_K", "T_se_K"})
-    require(rows.front().contains(column), "--hugoniot", file.string(),
-            fmt::format("must be a table that `md hugoniot` wrote (hugoniot.csv): it has no column {}", column));
+  for (auto const* column :
+       {"rho0_kg_m3", "v_P_m_s", "v_S_m_s", "v_S_se_m_s", "rho_kg_m3", "P_Pa", "P_se_Pa", "T_K", "T_se_K"})
+    require(
+        rows.front().contains(column), "--hugoniot", file.string(),
+        fmt::format("must be a table that `md hugoniot` wrote (hugoniot.csv): it has no column {}", column));
   std::ranges::sort(rows, {}, [](Row const& row) { return row.at("v_P_m_s"); });
   return rows;
 }
@@ -35,9 +36,7 @@ struct Quantity {
   double factor; ///< from SI
   cg::Estimate piston, reference;
 
-  double deviation() const {
-    return (piston.mean - reference.mean) / std::hypot(piston.se, reference.se);
-  }
+  double deviation() const { return (piston.mean - reference.mean) / std::hypot(piston.se, reference.se); }
 };
 
 std::vector<Quantity> quantities(HugoniotReference const& reference, ShockOfRun const& shock) {

@@ -121,14 +121,15 @@ Reproduced reproduce(std::string const& title, bool with_ssa, ReproduceOptions c
                                               exact.front().shock, {.shear_viscosity = eta});
   found.report = {
       .title = title,
-      .lead = "The thesis's ideal gas (1150 kg/m^3, 1000 K, eta = 2e-3 Pa s) in particles of K = 5 before a "
-              "piston at "
-              "1661 m/s, dt = 0.045, with the thesis's plain densities and with densities calibrated at rest and "
-              "behind the front. Its walls "
-              "are layers "
-              "of fixed particles, ours mirrors. The 8244 K that it prints for Rankine and Hugoniot do not "
-              "follow from its own pressure "
-              "and density, which give 8140 K.",
+      .lead =
+          "The thesis's ideal gas (1150 kg/m^3, 1000 K, eta = 2e-3 Pa s) in particles of K = 5 before a "
+          "piston at "
+          "1661 m/s, dt = 0.045, with the thesis's plain densities and with densities calibrated at rest and "
+          "behind the front. Its walls "
+          "are layers "
+          "of fixed particles, ours mirrors. The 8244 K that it prints for Rankine and Hugoniot do not "
+          "follow from its own pressure "
+          "and density, which give 8140 K.",
       .verdicts = shock_verdicts(judged, exact.front().shock, goal, "densities calibrated behind the front"),
       .sections =
           {{"States behind the front",
@@ -137,12 +138,13 @@ Reproduced reproduce(std::string const& title, bool with_ssa, ReproduceOptions c
                  "rho: mean of the particles' densities, as printed; mass/volume: what the slices hold. "
                  "R.-H.: by the relations of Rankine and Hugoniot."),
              Paragraph{printed.source},
-             Paragraph{"Constants of the densities that were found at rest keep the pressure that the fluid "
-                       "exerts right at 3.5 times the density too, and with it v_S and the mass per volume; but "
-                       "not the densities that the particles themselves have, nor the means of their own "
-                       "pressures, which the table shows (sdpd/README.md, Eq. (S70) ... (S72)). Constants that "
-                       "were found in the state behind the front (particles.density = \"calibrated-shocked\") "
-                       "make these right there, and are a little too small at rest."}}},
+             Paragraph{
+                 "Constants of the densities that were found at rest keep the pressure that the fluid "
+                 "exerts right at 3.5 times the density too, and with it v_S and the mass per volume; but "
+                 "not the densities that the particles themselves have, nor the means of their own "
+                 "pressures, which the table shows (sdpd/README.md, Eq. (S70) ... (S72)). Constants that "
+                 "were found in the state behind the front (particles.density = \"calibrated-shocked\") "
+                 "make these right there, and are a little too small at rest."}}},
            {"Figure 4.10",
             {Figure{{draw_svg(front_plot("front", "Density in the frame of the front", shown(finished),
                                          profile, exact.front().shock, rows.front().spacing))},

@@ -85,7 +85,7 @@ std::optional<ShockRow> molecular_dynamics(ReproduceOptions const& options, Cont
   auto const there = [&] {
     auto data = read_piston(job.file());
     return data.complete && data.description == settings.description() ? std::optional(std::move(data))
-                                                                           : std::nullopt;
+                                                                       : std::nullopt;
   };
   std::optional<PistonData> data;
   if (std::filesystem::exists(job.file()))

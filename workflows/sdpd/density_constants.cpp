@@ -16,7 +16,7 @@ namespace {
 Scene fluid_alone(Scene scene) {
   scene.reaction = {};
   if (has_layout(scene))
-    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // of which a part is run
+    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // roomy_lattice
   return scene;
 }
 
@@ -38,9 +38,12 @@ CalibratedState state_of(Scene const& scene) {
   }
 }
 
-/// The same particles with the same kernels and time step, in units of that state.
+/// The same particles with the same kernels and time step, in units of that state and in a box of their own.
 sdpd::SimulationSettings at(CalibratedState const& state, sdpd::SimulationSettings settings) {
+  if (state.rho == settings.rho && state.T == settings.T)
+    return settings;
   auto const before = settings.units();
+  settings.lattice = roomy_lattice, settings.faces = {};
   settings.as<sdpd::Sdpd>().h_factor *= std::cbrt(state.rho / settings.rho);
   settings.rho = state.rho, settings.T = state.T;
   double const time = before.time() / settings.units().time();

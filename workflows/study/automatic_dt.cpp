@@ -83,7 +83,8 @@ ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options)
   if (wants_quiet_trials(scene))
     choice = choose_at_rest(scene, options);
   if (wished_balance(scene.scheme)) {
-    auto const driven = find_balanced_time_step(scene, std::min(choice.dt, largest_driven_dt(scene)), options);
+    auto const driven =
+        find_balanced_time_step(scene, std::min(choice.dt, largest_driven_dt(scene)), options);
     choice = {driven.dt, driven.longest ? choice.because : "the wanted energy balance"};
   }
   return {with_time_step(scene, {.value = choice.dt}),

@@ -4,8 +4,9 @@
 namespace mesobridge::workflows {
 
 /// A scene with dt = "auto" and the time step that a short trade-off of its own scheme finds for its wishes
-/// of the fluid at rest, and trials of its beginning for a wish on the energy balance; the wish stays as `scheme.dt_chosen_for`. The same for any number of threads. Trials are stored in
-/// `options.directory`. Throws PhysicsError when no time step meets the wishes.
+/// of the fluid at rest, and trials of its beginning for a wish on the energy balance; the wish stays as
+/// `scheme.dt_chosen_for`. The same for any number of threads. Trials are stored in `options.directory`.
+/// Throws PhysicsError when no time step meets the wishes.
 struct ChosenTimeStep {
   Scene scene;
   std::string why; ///< "dt = 0.12 reduced: limited by the wanted energy drift"

@@ -22,13 +22,12 @@ void for_each_member(Result& r, F const& f) {
 
 namespace {
 
-constexpr double part_of_run = 0.2;   ///< that a trial makes
-constexpr double crossed = 20;        ///< spacings that what is fastest crosses in a trial
+constexpr double part_of_run = 0.2;     ///< that a trial makes
+constexpr double crossed = 20;          ///< spacings that what is fastest crosses in a trial
 constexpr double part_of_spacing = 0.5; ///< that it may cross in the longest step
-constexpr double deepest = 1e-3;      ///< of the largest time step: the search ends there
+constexpr double deepest = 1e-3;        ///< of the largest time step: the search ends there
 constexpr int most_trials = 12;
-constexpr double start_time = 20;     ///< reduced time to equilibrium before the trials
-constexpr double start_dt = 0.05;
+constexpr double start_time = 20; ///< reduced time to equilibrium before the trials
 
 double largest_component(std::vector<double> const& v) {
   double found = 0;
@@ -82,6 +81,12 @@ double start_time_of(Scene const& scene) {
   return scene.run.equilibrate > 0 ? start_time : 0;
 }
 
+/// Nothing drives the fluid yet.
+double start_dt(Scene const& scene) {
+  constexpr double of_fluids = 0.05;
+  return of_fluids / tries_of(scene).shorter_start;
+}
+
 double rounded_down(double dt) {
   double const unit = std::pow(10, std::floor(std::log10(dt)) - 1);
   return std::floor(dt / unit + 1e-9) * unit;
@@ -89,7 +94,8 @@ double rounded_down(double dt) {
 
 /// The next time step after one that failed or kept less than was wished for: the error goes as its square.
 double next_dt(sdpd::BalanceResult const& trial, double wished) {
-  double const factor = trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
+  double const factor =
+      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
   return rounded_down(trial.dt * factor);
 }
 
@@ -132,15 +138,17 @@ class Search {
     auto const steps = steps_of_trial(scene_, dt, velocity_);
     auto const told = [&](double share) { return options_.keep_going((k + share) / most_trials, name); };
     return sdpd::run_balance_trial(
-        {.settings = settings_with(scene_, dt, options_.threads), .steps = steps, .run_steps = scene_.run.steps},
+        {.settings = settings_with(scene_, dt, options_.threads),
+         .steps = steps,
+         .run_steps = scene_.run.steps},
         start(), [&](std::int64_t done) { return told(static_cast<double>(done) / double(steps)); });
   }
 
   sdpd::Checkpoint const& start() {
     if (!start_)
-      start_ = sdpd::equilibrated_start(settings_with(scene_, largest_, options_.threads),
-                                        std::min(start_dt, largest_), start_time_of(scene_),
-                                        [&] { return options_.keep_going(0, "start"); });
+      start_ =
+          sdpd::equilibrated_start(settings_with(scene_, largest_, options_.threads), start_dt(scene_),
+                                   start_time_of(scene_), [&] { return options_.keep_going(0, "start"); });
     return *start_;
   }
 
@@ -170,7 +178,7 @@ double work_of_balance_trials(Scene const& scene) {
   double const velocity = fastest_wave(scene, settings_with(scene, dt, 1));
   return static_cast<double>(particles_of(scene)) *
          (usual_trials * static_cast<double>(steps_of_trial(scene, dt, velocity)) +
-          start_time_of(scene) / std::min(start_dt, dt));
+          start_time_of(scene) / start_dt(scene));
 }
 
 } // namespace mesobridge::workflows

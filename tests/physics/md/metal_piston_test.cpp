@@ -1,5 +1,5 @@
-#include "md/metal_piston.hpp"
 #include "md/metal_crystal.hpp"
+#include "md/metal_piston.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -24,8 +24,8 @@ MetalPistonSettings small_settings() {
 std::vector<PistonSlices> run(MetalPistonSettings const& settings, std::int64_t steps) {
   MpiWorld const world;
   std::vector<PistonSlices> all;
-  EXPECT_TRUE(sample_metal_piston(world, settings, steps,
-                                  {.slices = [&](auto const& slices) { return all.push_back(slices), true; }}));
+  EXPECT_TRUE(sample_metal_piston(
+      world, settings, steps, {.slices = [&](auto const& slices) { return all.push_back(slices), true; }}));
   std::filesystem::remove(settings.log_file);
   return all;
 }

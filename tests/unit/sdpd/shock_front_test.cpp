@@ -86,6 +86,27 @@ TEST(SteadyShock, HasTheVelocityOfGibbssSurfaceByTheDensities) {
   EXPECT_NEAR(shock->v_S.mean, v_S, 0.03);
 }
 
+/// Parts of the matter behind the front differ and stay as they are: all frames see the same few.
+TEST(SteadyShock, HasTheErrorOfWhatDoesNotChangeFromFrameToFrame) {
+  auto frames = moving_front(80);
+  std::mt19937 generator(11);
+  std::normal_distribution<double> G(0, 0.15);
+  std::vector<double> of_parts;
+  for (int k = 0; k < 60; ++k)
+    of_parts.push_back(G(generator));
+  for (auto& frame : frames)
+    for (int s = 0; s < slices; ++s)
+      if (double const z = s + 0.5 - frame.piston; z > 0 && z < 300)
+        frame.rho[std::size_t(s)] += of_parts[std::size_t(z / 5)];
+  auto const shock = steady_shock(frames, scale());
+  ASSERT_TRUE(shock);
+  // The plateau ends in up to 65 spacings, about nine parts that were seen for some time.
+  EXPECT_GT(shock->rho.se, 0.15 / std::sqrt(16));
+  EXPECT_LT(shock->rho.se, 0.15 / std::sqrt(3));
+  EXPECT_LT(std::abs(cg::deviation(shock->rho, 1.75)), 3.5);
+  EXPECT_LT(shock->P.se, 0.05);
+}
+
 TEST(SteadyShock, NeedsEnoughFramesThatAreFarFromBothEnds) {
   EXPECT_FALSE(steady_shock(moving_front(30), scale()));
   EXPECT_FALSE(steady_shock({}, scale()));

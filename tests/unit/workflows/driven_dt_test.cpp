@@ -4,6 +4,7 @@
 #include "sdpd/setup/balance.hpp"
 #include "sdpd/setup/trial.hpp"
 #include "workflows/reproduce/exact_cases.hpp"
+#include "workflows/scene/wish.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/study/automatic_dt.hpp"
@@ -15,7 +16,8 @@ namespace mesobridge::workflows {
 namespace {
 
 /// A piston's scene with dt = "auto".
-std::string piston_text(std::string const& eos, double v_P, std::string const& wish, std::string const& more = "") {
+std::string piston_text(std::string const& eos, double v_P, std::string const& wish,
+                        std::string const& more = "") {
   return fmt::format(R"(title = "a piston"
 units = "SI"
 [fluid]
@@ -70,9 +72,9 @@ double share_of_run(Scene const& scene) {
   auto const settings = settings_of(scene, 1);
   auto const start = sdpd::equilibrated_start(settings, std::min(0.03, settings.dt),
                                               scene.run.equilibrate > 0 ? 5 : 0, [] { return true; });
-  auto const found = sdpd::run_balance_trial(
-      {.settings = settings, .steps = scene.run.steps, .run_steps = scene.run.steps}, start,
-      [](std::int64_t) { return true; });
+  auto const found =
+      sdpd::run_balance_trial({.settings = settings, .steps = scene.run.steps, .run_steps = scene.run.steps},
+                              start, [](std::int64_t) { return true; });
   EXPECT_EQ(found.failure, "");
   EXPECT_GT(found.share, 0);
   return found.share;
@@ -92,15 +94,18 @@ TEST(DrivenTimeStep, BalancesTheEnergyBeforePistonsOfAnyVelocity) {
   tests::ScratchDirectory const scratch;
   int cases = 0;
   double before = 1;
-  for (auto const& [eos, v_P] : {std::pair("argon", 50.0), {"argon", 500.0}, {"argon", 2000.0},
-                                 {"ideal-gas", 7700.0}, {"ideal-gas", 10000.0}}) { // c = 339 m/s in the gas
+  for (auto const& [eos, v_P] : {std::pair("argon", 50.0),
+                                 {"argon", 500.0},
+                                 {"argon", 2000.0},
+                                 {"ideal-gas", 7700.0},
+                                 {"ideal-gas", 10000.0}}) { // c = 339 m/s in the gas
     auto const scene = scene_of(piston_text(eos, v_P, "1 %"));
     auto const chosen = choose_time_step(scene, {.directory = scratch.path() / std::to_string(cases)});
     EXPECT_EQ(chosen.scene.scheme.dt_chosen_for, "drift 1 %");
     EXPECT_LE(chosen.scene.scheme.dt.value, largest_driven_dt(scene));
     EXPECT_LE(share_of_run(chosen.scene), 0.013) << eos << " " << v_P; // another history, a noisy error
-    if (eos == std::string("argon") && v_P > 50)
-      EXPECT_LT(chosen.scene.scheme.dt.value, before);
+    bool const faster = eos == std::string("argon") && v_P > 50;       // than in the case before
+    EXPECT_TRUE(!faster || chosen.scene.scheme.dt.value < before);
     before = chosen.scene.scheme.dt.value;
     ++cases;
   }
@@ -152,7 +157,8 @@ TEST(DensityConstants, AreFoundBehindTheShockOfTheSameParticles) {
   EXPECT_DOUBLE_EQ(shocked.T, exact.behind.T);
   EXPECT_EQ(shocked.K(), resting.K());
   // The kernel and the time step are the same in metres and seconds.
-  EXPECT_NEAR(shocked.range() * shocked.units().length() / (resting.range() * resting.units().length()), 1, 1e-12);
+  EXPECT_NEAR(shocked.range() * shocked.units().length() / (resting.range() * resting.units().length()), 1,
+              1e-12);
   EXPECT_NEAR(shocked.dt * shocked.units().time() / (resting.dt * resting.units().time()), 1, 1e-12);
   EXPECT_GT(shocked.range(), 1.4 * resting.range());
   EXPECT_EQ(scale_condition_of(scene), sdpd::ScaleCondition::pressure);

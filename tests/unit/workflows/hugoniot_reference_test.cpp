@@ -40,8 +40,9 @@ TEST(HugoniotReference, LiesBetweenThePointsAboutIt) {
 
 TEST(HugoniotReference, TellsDeviationsInCommonStandardErrors) {
   HugoniotReference const reference{{7000, 30, 1}, {3000, 0, 1}, {20e9, 3e8, 1}, {1000, 30, 1}};
-  ShockOfRun const shock{.measured = {.v_S = {7100, 40, 20}, .rho = {1, 1, 1}, .P = {19e9, 4e8, 20}, .T = {1000, 40, 20}},
-                         .mass_per_volume = {3030, 10, 20}};
+  ShockOfRun const shock{
+      .measured = {.v_S = {7100, 40, 20}, .rho = {1, 1, 1}, .P = {19e9, 4e8, 20}, .T = {1000, 40, 20}},
+      .mass_per_volume = {3030, 10, 20}};
   auto const json = reference_json(reference, shock);
   EXPECT_NEAR(json["deviation"]["v_S"].get<double>(), 2, 1e-12);
   EXPECT_NEAR(json["deviation"]["rho"].get<double>(), 3, 1e-12);
