@@ -122,6 +122,17 @@ void react(System& system, PrescribedBurn const& law, double) {
   });
 }
 
+/// What is left of a reactant that will soon have no balance with its product.
+void burn_up(System& system) {
+  auto& of = system.particles;
+  for_each_index(system.size(), system.threads, [&](std::size_t i) {
+    if (!system.thermodynamics->must_burn_up(of, static_cast<Index>(i)))
+      return;
+    of.eps[i] += system.reaction->heat * of.mass_of(i) * (1 - of.progress[i]);
+    of.progress[i] = 1;
+  });
+}
+
 } // namespace
 
 SubStep reaction(System const&, double dt) {
@@ -131,6 +142,7 @@ SubStep reaction(System const&, double dt) {
               return;
             system.reaction_time += dt;
             std::visit([&](auto const& law) { react(system, law, dt); }, system.reaction->kinetics);
+            burn_up(system);
           }};
 }
 

@@ -79,6 +79,10 @@ class Reacting final : public Thermodynamics {
       return pure->heat_capacity(of, i);
     return 1 / mixed_.response(of.progress[i], of.rho[i], split(of, i)).caloric.inverse_C_0;
   }
+  bool must_burn_up(Particles const& of, Index i) const override {
+    return of.progress[i] >= nearly_burnt && kind_of(of.progress[i]) == Kind::mixed &&
+           mixed_.reactant_is_ending(of.progress[i], of.rho[i], split(of, i));
+  }
 
  private:
   Thermodynamics const* pure_of(double progress) const {

@@ -8,6 +8,10 @@ namespace mesobridge::sdpd {
 /// energy and density, so that T and P jump and no energy moves.
 inline constexpr double pure_below = 1e-4, pure_above = 1 - 1e-6;
 
+/// From this progress on what is left of the reactant burns at once where its mixture comes to an end
+/// (sdpd/README.md, Eq. (S66)).
+inline constexpr double nearly_burnt = 0.9;
+
 /// Of particles of a reactant and its product, each by its progress. Pure ones cost what they do without a
 /// reaction. Throws InputError as make_thermodynamics does, and for models that cannot be mixed.
 std::unique_ptr<Thermodynamics const> make_reacting_thermodynamics(ReactingModels const& models,

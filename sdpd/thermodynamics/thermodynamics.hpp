@@ -45,6 +45,10 @@ class Thermodynamics {
   virtual std::optional<double> constant_heat_capacity() const = 0;
   /// Of particle i at its temperature.
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
+
+  /// Whether particle i, which reacts and is nearly burnt, will soon have no state with what is left of its
+  /// reactant (sdpd/README.md, Eq. (S66)).
+  virtual bool must_burn_up(Particles const&, Index) const { return false; }
 };
 
 /// What a particle's equation of state says of its centre of mass, whose kinetic energy (3/2) k_B T and

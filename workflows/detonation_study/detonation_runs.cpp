@@ -20,27 +20,26 @@ namespace {
 
 constexpr double rho = 1104, T = 300, v_P = 1764;      // SI
 constexpr double molecule = 61.04 * 1.66053906660e-27; // kg
-constexpr double layer = 24;         // thickness of the hot layer [spacings]: 50 nm at K = 100
+constexpr double layer = 24;         // thickness of the burnt layer [spacings]: 50 nm at K = 100
 constexpr std::int64_t frames = 150; // of a run
 
-/// Steps until a wave of the velocity of the detonation has come near the far end; one that a piston starts
-/// goes the first fifth of the way as a shock.
-std::int64_t steps_of(DetonationCase const& of, Scene const& scene) {
-  auto const settings = settings_of(scene, 1);
-  auto const theory = detonation_theory(settings);
-  auto const units = settings.units();
-  double const way = static_cast<double>(of.lattice[2]) - 12;
-  double const D = theory->chapman_jouguet.v_S / units.velocity();
-  double const late = of.piston ? 0.12 * way / D : 0;
-  return static_cast<std::int64_t>((way / D + late) / scene.scheme.dt.value);
+/// Steps until a wave of the velocity of the detonation has come near the far end: from the burnt layer, or
+/// from a piston, before which it is a mere shock for a time.
+std::int64_t steps_of(DetonationCase const& of, Scene const& scene, double D) {
+  double const way = static_cast<double>(of.lattice[2]) - 12,
+               time = settings_of(scene, 1).units().velocity() / D;
+  double const late = of.piston ? 0.12 * way : -layer;
+  return static_cast<std::int64_t>((way + late) * time / scene.scheme.dt.value);
 }
 
-Scene::Region hot_layer(DetonationCase const& of) {
-  Scene::Region hot{.name = "hot layer", .shape = "slab"};
-  hot.axis = "z";
-  hot.to = {{layer * spacing_of(of), false}};
-  hot.rho = 1869, hot.T = 2330; // behind a shock in the reactant at v_P = 2500 m/s
-  return hot;
+/// As if the detonation had come so far already.
+Scene::Region burnt_layer(DetonationCase const& of, fitting::Shock const& detonation) {
+  Scene::Region burnt{.name = "burnt layer", .shape = "slab"};
+  burnt.axis = "z";
+  burnt.to = {{layer * spacing_of(of), false}};
+  burnt.rho = detonation.behind.rho, burnt.T = detonation.behind.T, burnt.progress = 1;
+  burnt.velocity = {0, 0, detonation.v_P};
+  return burnt;
 }
 
 DetonationRow start_of(DetonationCase const& of, Scene const& scene) {
@@ -97,7 +96,7 @@ Scene detonation_scene(DetonationCase const& of) {
   Scene scene;
   scene.title = fmt::format("nitromethane, K = {:g}, Z = {:g} 1/s, eta = {:g} Pa s", of.K, of.Z, of.eta);
   scene.fluid.eos = "nitromethane", scene.fluid.rho = rho, scene.fluid.T = T;
-  scene.particles.K = of.K, scene.particles.density = "plain";
+  scene.particles.K = of.K, scene.particles.density = "plain", scene.particles.disorder = 0.02;
   scene.particles.N = of.lattice[0] * of.lattice[1] * of.lattice[2];
   scene.box.lattice = {of.lattice.begin(), of.lattice.end()};
   scene.box.z = "walls";
@@ -106,12 +105,13 @@ Scene detonation_scene(DetonationCase const& of) {
   scene.reaction.parameters["Z"] = of.Z, scene.reaction.parameters["E_a"] = 3e-19;
   scene.transport.eta = of.eta;
   scene.scheme.name = of.K < 50 ? "ems" : "ssa", scene.scheme.dt.value = 0.003;
+  auto const detonation = detonation_theory(settings_of(scene, 1))->chapman_jouguet;
   if (of.piston)
     scene.box.piston = v_P, scene.box.ramp = of.ramp;
   else
-    scene.regions = {hot_layer(of)};
+    scene.regions = {burnt_layer(of, detonation)};
   scene.run.seed = static_cast<std::int64_t>(of.seed);
-  scene.run.steps = steps_of(of, scene);
+  scene.run.steps = steps_of(of, scene, detonation.v_S);
   scene.run.sample_every = std::max<std::int64_t>(1, scene.run.steps / frames);
   scene.profile = {
       .axis = "z", .bins = of.lattice[2] * 4 / 5, .every = scene.run.sample_every, .quantities = {}};

@@ -154,11 +154,13 @@ Reproduced found_by(std::string const& title, std::string const& lead, std::vect
 
 std::string const lead = "Nitromethane of 1104 kg/m^3 and 300 K between two mirrors; a layer of 24 mean "
                          "distances between particles at the "
-                         "lower end begins as the thesis's, at 1869 kg/m^3 and 2330 K, and sets the "
-                         "detonation off. Its velocity, beside "
-                         "that of Chapman and Jouguet by the same equations of state, and the length of its "
-                         "reaction zone beside that of "
-                         "Zel'dovich, von Neumann and Doering with the same kinetics.";
+                         "lower end begins as the products of Chapman and Jouguet, in motion. (The thesis's "
+                         "layer of 1869 kg/m^3 and 2330 K, "
+                         "at rest, did not set it off here: it burnt, and its shock died away.) The velocity "
+                         "of the detonation, beside that of "
+                         "Chapman and Jouguet by the same equations of state, and the length of its reaction "
+                         "zone beside that of Zel'dovich, "
+                         "von Neumann and Doering with the same kinetics.";
 
 } // namespace
 

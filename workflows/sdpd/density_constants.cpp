@@ -12,11 +12,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
+/// Of which a calibration runs a part.
+constexpr std::array<std::uint32_t, 3> roomy_lattice{32, 32, 32};
+
 /// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
 Scene fluid_alone(Scene scene) {
   scene.reaction = {};
   if (has_layout(scene))
-    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // roomy_lattice
+    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32;
   return scene;
 }
 
