@@ -116,7 +116,8 @@ Result znd(Options const& options, Context const& context) {
   result.json["zone_begin_lambda"] = fitting::zone_begin;
   result.json["zone_end_lambda"] = fitting::zone_end;
   put_first_row(result.json["chapman_jouguet"], shock_columns({cj}), false);
-  put_first_row(result.json["end"], shock_columns({options.D ? crussard.from_speed(*options.D) : cj}), false);
+  put_first_row(result.json["end"], shock_columns({zone.D() > cj.v_S ? crussard.from_speed(zone.D()) : cj}),
+                false);
   result.json["curve"] = arrays(columns, false);
   result.text = lines_text(head, false) +
                 fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",

@@ -119,6 +119,30 @@ TEST(Znd, ThePapersVolumesChangeTheZoneByHalfAPercent) {
   EXPECT_LT(std::abs(change), 1e-2);
 }
 
+TEST(Znd, AStateIsBalancedByThePureModels) {
+  int cases = 0;
+  for (auto const law : {VolumeLaw::additive_volume, VolumeLaw::paper}) {
+    auto const fluid = explosive(q_nitromethane, law);
+    ReactionZone const zone(fluid, 7000);
+    for (double const lambda : {0.1, 0.6, 0.97}) {
+      auto const [rho, state] = zone.at(lambda);
+      double const rho_0 = state.rho_reactant, rho_1 = state.rho_product, left = 1 - lambda;
+      EXPECT_NEAR(rho * (left / rho_0 + lambda / rho_1), 1, law == VolumeLaw::paper ? 0.05 : 1e-12);
+      EXPECT_NEAR((left * rho_0 + lambda * rho_1) / rho, 1, law == VolumeLaw::paper ? 1e-12 : 0.05);
+      double const P = fluid.at_rest.P + 1104 * 7000 * zone.velocity(rho); // momentum
+      EXPECT_NEAR(nitromethane().isochore(rho_0).pressure(state.T) / P, 1, 1e-10);
+      EXPECT_NEAR(products().isochore(rho_1).pressure(state.T) / P, 1, 1e-10);
+      double const e = left * nitromethane().isochore(rho_0).energy(state.T) +
+                       lambda * products().isochore(rho_1).energy(state.T);
+      double const by_shock =
+          fluid.at_rest.e + lambda * fluid.q + 0.5 * (P + fluid.at_rest.P) * (1 / 1104.0 - 1 / rho);
+      EXPECT_NEAR(e / by_shock, 1, 1e-10);
+      ++cases;
+    }
+  }
+  EXPECT_EQ(cases, 6);
+}
+
 TEST(Znd, FirstOrderOfIdealGasesIsExact) {
   // One gas before and after, gamma = 1.4: the strong detonation's state of progress lambda is a closed form,
   //   w = (gamma M^2 + 1 -+ sqrt((M^2 - 1)^2 - 2 (gamma^2 - 1) lambda q M^2/(gamma R T_0)))/((gamma + 1) M^2)
