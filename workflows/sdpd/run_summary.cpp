@@ -74,6 +74,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
   put_measured(json, file, scene, units);
+  if (settings.features().reacts)
+    json["progress"] = simulation.observe().progress; // at the end
   if (auto const shock = shock_of(file.store(), scene, settings))
     put_shock(json, *shock, units);
   if (auto const detonation = detonation_of(file.store(), scene, settings))

@@ -54,7 +54,7 @@ TEST(ReactionScene, ReadsItsKeysAndReadsBackAsTheSame) {
       parse_scene(burning, "burning.toml",
                   {"reaction.weights=normalised", "reaction.integrator=euler", "reaction.volumes=paper"});
   EXPECT_TRUE(parse_scene(resolved_toml(other), "resolved.toml") == other);
-  auto const& changed = settings_of(other, 1).as<sdpd::Sdpd>().reaction.value();
+  auto const changed = settings_of(other, 1).as<sdpd::Sdpd>().reaction.value();
   EXPECT_EQ(std::get<sdpd::SecondOrder>(changed.kinetics).weights, sdpd::NeighbourWeights::normalised);
   EXPECT_EQ(changed.integrator, sdpd::RateIntegrator::euler);
   EXPECT_FALSE(changed.additive_volumes);
