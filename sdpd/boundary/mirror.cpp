@@ -23,7 +23,7 @@ OfLayer add_forces(System& system, WallLayer const& layer, double energy_before,
   auto& particles = system.particles;
   auto const& [near, images, candidates, renewal, position] = layer;
   std::vector<OfLayer> of_each(near.size());
-  for_each_index(near.size(), system.threads, [&, &near = near, &images = images](std::size_t k) {
+  for_each_index(near.size(), threads_for(system, layer), [&, &near = near, &images = images](std::size_t k) {
     Index const i = near[k];
     auto& [sum, virial, energy] = of_each[k];
     for (auto const& [j, r] : images[k]) {
@@ -76,7 +76,7 @@ void add_wall_densities(System& system) {
   std::visit(
       [&](auto const& kernel) {
         for_each_layer(system, [&](WallLayer const& layer) {
-          for_each_index(layer.particles.size(), system.threads, [&](std::size_t k) {
+          for_each_index(layer.particles.size(), threads_for(system, layer), [&](std::size_t k) {
             double rho = 0;
             for (auto const& [j, r] : layer.images[k])
               rho += weight_of(system, j) * kernel.W(norm(r));

@@ -28,10 +28,10 @@ double gamma_over_a(Law const& law, double T) {
 
 /// Of both directions by one law (Eq. (S50)).
 template <class Law>
-WallWeights friction_weights(Law const& law, System const& system, Wall const& wall, std::size_t k, double T) {
+WallWeights friction_weights(Law const& law, System const& system, Wall const& wall, std::size_t k) {
   Index const i = wall.layer.particles[k];
   double const distance = wall.distance(system.particles.q[i], system.wall_time),
-               scale = wall.friction.strength * gamma_over_a(law, T);
+               scale = wall.friction.strength * gamma_over_a(law, wall.friction.temperature);
   WallWeights sum;
   for (auto const& [j, r] : wall.layer.images[k]) {
     double const both = std::abs(component(r, wall.axis)), apart = norm(r);
@@ -148,12 +148,16 @@ Vec3 wall_velocity(System const& system, Wall const& wall) {
   return velocity;
 }
 
-WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k, double T) {
-  return std::visit([&](auto const& law) { return friction_weights(law, system, wall, k, T); }, system.law);
+WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k) {
+  return std::visit([&](auto const& law) { return friction_weights(law, system, wall, k); }, system.law);
 }
 
-WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k) {
-  return wall_weights(system, wall, k, wall.friction.temperature);
+WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k, double T) {
+  auto const [normal, along] = wall_weights(system, wall, k);
+  double const of_T = std::visit(
+      [&](auto const& law) { return gamma_over_a(law, T) / gamma_over_a(law, wall.friction.temperature); },
+      system.law);
+  return {of_T * normal, of_T * along};
 }
 
 SubStep wall_friction(System const& system, double dt, bool second) {

@@ -67,7 +67,7 @@ class ImageSearch {
     place(layer, search);
     auto& images = layer.images;
     images.resize(std::max(images.size(), layer.particles.size()));
-    for_each_index(layer.particles.size(), system_.threads,
+    for_each_index(layer.particles.size(), threads_for(system_, layer),
                    [&, &search = search](std::size_t k) { look(search, search.places[k], images[k]); });
   }
 

@@ -91,11 +91,24 @@ std::optional<cg::Estimate> wall_stress(Store const& store, Scene const& scene, 
   return cg::estimate_mean(stress);
 }
 
+bool is_duct(Scene::Box const& box) {
+  return (box.x == "walls") + (box.y == "walls") + (box.z == "walls") == 2;
+}
+
+/// In a duct the profile may go along either width.
+FlowAxes axes_of(Scene const& scene) {
+  auto axes = flow_axes(scene);
+  int const shown = scene.profile.axis[0] - 'x';
+  if (is_duct(scene.box) && shown != axes.along)
+    axes.across = shown;
+  return axes;
+}
+
 /// One run while its flow is found.
 class FlowSearch {
  public:
   FlowSearch(Store const& store, Scene const& scene, sdpd::SimulationSettings const& settings)
-      : store_(store), scene_(scene), units_(settings.units(), scene.units), axes_(flow_axes(scene)),
+      : store_(store), scene_(scene), units_(settings.units(), scene.units), axes_(axes_of(scene)),
         frames_(frames_of(store, units_, axes_.along)), box_(sdpd::box_of(settings)),
         edge_(component(box_.edge, axes_.across) * units_.length), range_(settings.range() * units_.length) {}
 
@@ -215,14 +228,14 @@ std::optional<FlowKind> kind_of(Scene const& scene) {
   bool const slides = box.slide.value_or(0) != 0, pushed = box.body_force.value_or(0) != 0;
   if (slides == pushed)
     return std::nullopt;
-  bool const is_duct = (box.x == "walls") + (box.y == "walls") + (box.z == "walls") == 2;
+  bool const duct = is_duct(box);
   if (slides)
-    return is_duct ? std::nullopt : std::optional(FlowKind::couette);
+    return duct ? std::nullopt : std::optional(FlowKind::couette);
   if (box.waves > 0)
     return FlowKind::wave;
   if (box.slip != "none")
     return std::nullopt;
-  return is_duct ? FlowKind::duct : FlowKind::poiseuille;
+  return duct ? FlowKind::duct : FlowKind::poiseuille;
 }
 
 } // namespace
@@ -231,7 +244,7 @@ std::optional<FlowOfRun> flow_of(Store const& store, Scene const& scene,
                                  sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
   auto const kind = kind_of(scene);
-  bool const across = scene.profile.axis[0] - 'x' == flow_axes(scene).across;
+  bool const across = scene.profile.axis[0] - 'x' == axes_of(scene).across;
   if (!kind || !across || scene.profile.every == 0 || !store.contains("profile/velocity" + units.velocity_key))
     return std::nullopt;
   return FlowSearch(store, scene, settings).find(*kind);

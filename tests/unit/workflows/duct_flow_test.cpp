@@ -12,7 +12,7 @@ TEST(Duct, HasThePublishedVelocities) {
   Duct const square{1, 1};
   EXPECT_NEAR(0.5 / square.mean_velocity(), 14.22708, 1e-4);
   EXPECT_NEAR(square.velocity(0.5, 0.5) / square.mean_velocity(), 2.0962, 1e-4);
-  EXPECT_NEAR(8.0 / 9 / Duct{1, 2}.mean_velocity(), 15.54806, 1e-4);
+  EXPECT_NEAR((8.0 / 9 / Duct{1, 2}.mean_velocity()), 15.54806, 1e-4);
   EXPECT_NEAR((Duct{1, 400}.mean_velocity()), 1.0 / 12, 2e-4);
   EXPECT_NEAR((Duct{1, 400}.velocity(0.3, 200)), 0.3 * 0.7 / 2, 1e-6);
 }
