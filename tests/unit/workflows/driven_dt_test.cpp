@@ -41,8 +41,8 @@ drift = "{}"
 {}
 [run]
 equilibrate = 50
-steps = 100
-sample_every = 3
+steps = 56
+sample_every = 1
 )",
                      eos, eos == "ideal-gas" ? "m0 = \"1e-25 kg\"" : "", v_P, wish, more);
 }
