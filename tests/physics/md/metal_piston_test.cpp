@@ -40,15 +40,16 @@ double mean(PistonSlices const& now, std::vector<double> const& values, int firs
 /// The jump conditions bind what the slices say: mass and momentum go through the front, at P_0 about 0.
 TEST(MetalPiston, DrivesAShockThatKeepsMassAndMomentum) {
   auto const settings = small_settings();
-  auto const all = run(settings, 400);
-  ASSERT_EQ(all.size(), 20u);
+  auto const all = run(settings, 600);
+  ASSERT_EQ(all.size(), 30u);
   EXPECT_EQ(settings.atoms(), 4 * 4 * 4 * 30);
   for (auto const& now : all)
     EXPECT_NEAR(std::accumulate(now.number.begin(), now.number.end(), 0.0), double(settings.atoms()), 64);
   auto const& last = all.back();
   double const v_P = settings.v_P / 100; // Angstrom/ps
-  // Slices are a cell wide, 16 atoms across times 4. The piston has come 4 slices far, the front about 14.
-  EXPECT_NEAR(mean(last, last.velocity, 7, 10), v_P, 0.06 * v_P);
+  // Slices are a cell wide, 16 atoms across times 4. The piston has come 4 slices far, the front about 14; a
+  // slice moves by some per cent of its own.
+  EXPECT_NEAR(mean(last, last.velocity, 7, 10), v_P, 0.1 * v_P);
   EXPECT_NEAR(mean(last, last.velocity, 20, 29), 0, 0.03 * v_P);
   EXPECT_NEAR(mean(last, last.T, 18, 29), 300, 60);
   double const compression =
