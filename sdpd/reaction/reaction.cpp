@@ -122,14 +122,24 @@ void react(System& system, PrescribedBurn const& law, double) {
   });
 }
 
-/// What is left of a reactant that will soon have no balance with its product.
-void burn_up(System& system) {
+/// Sees to it that mixtures have a state next time, too; energies and densities stay as they are, but for the
+/// heat of what burns up.
+void keep_balances(System& system) {
   auto& of = system.particles;
   for_each_index(system.size(), system.threads, [&](std::size_t i) {
-    if (!system.thermodynamics->must_burn_up(of, static_cast<Index>(i)))
-      return;
-    of.eps[i] += system.reaction->heat * of.mass_of(i) * (1 - of.progress[i]);
-    of.progress[i] = 1;
+    switch (system.thermodynamics->fate(of, static_cast<Index>(i))) {
+    case MixtureFate::goes_on:
+      break;
+    case MixtureFate::burns_up:
+      of.eps[i] += system.reaction->heat * of.mass_of(i) * (1 - of.progress[i]);
+      of.progress[i] = 1;
+      break;
+    case MixtureFate::counts_as_reactant:
+      of.log_density_ratio[i] = no_product;
+      break;
+    case MixtureFate::mixes_again:
+      of.log_density_ratio[i] = 0; // a search will find it
+    }
   });
 }
 
@@ -142,7 +152,7 @@ SubStep reaction(System const&, double dt) {
               return;
             system.reaction_time += dt;
             std::visit([&](auto const& law) { react(system, law, dt); }, system.reaction->kinetics);
-            burn_up(system);
+            keep_balances(system);
           }};
 }
 

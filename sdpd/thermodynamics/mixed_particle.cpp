@@ -144,14 +144,17 @@ auto MixedParticle::response(double lambda, double rho, Split const& split) cons
            .limit = caloric_reach * split.T}};
 }
 
-bool MixedParticle::reactant_is_ending(double lambda, double rho, Split const& split) const {
+auto MixedParticle::stiffness(double lambda, double rho, Split const& split) const -> Stiffness {
   auto const& of = *model_;
   double const T = split.T * of.T_unit;
-  double const rho_0 =
-      fitting::mixture_densities(of.mixture.law(), lambda, rho * of.rho_unit, split.log_density_ratio)
-          .reactant;
-  auto const isochore = of.mixture.reactant().isochore(rho_0);
-  return !(rho_0 * isochore.pressure_density_slope(T) > isochore.pressure(T));
+  auto const parts =
+      fitting::mixture_densities(of.mixture.law(), lambda, rho * of.rho_unit, split.log_density_ratio);
+  auto const over_pressure = [&](auto const& eos, double density) {
+    auto const isochore = eos.isochore(density);
+    return density * isochore.pressure_density_slope(T) / isochore.pressure(T);
+  };
+  return {over_pressure(of.mixture.reactant(), parts.reactant),
+          over_pressure(of.mixture.product(), parts.product)};
 }
 
 } // namespace mesobridge::sdpd

@@ -42,9 +42,12 @@ class MixedParticle {
   double energy_from_temperature(double lambda, double rho, double T) const;
   /// Depends on its arguments alone, so that a restart finds the bits of the run that stopped.
   Response response(double lambda, double rho, Split const& split) const;
-  /// Whether the reactant can hardly follow a further expansion: its isothermal bulk modulus at the split has
-  /// fallen to the pressure or below, and where it comes to zero the balance ends.
-  bool reactant_is_ending(double lambda, double rho, Split const& split) const;
+  /// The isothermal bulk moduli of both parts at the split, over the pressure. Where one of them comes to
+  /// zero the balance ends.
+  struct Stiffness {
+    double reactant, product;
+  };
+  Stiffness stiffness(double lambda, double rho, Split const& split) const;
 
  private:
   struct Model;

@@ -5,8 +5,12 @@ namespace {
 
 enum class Kind { reactant, mixed, product };
 
-Kind kind_of(double progress) {
-  return progress < pure_below ? Kind::reactant : progress > pure_above ? Kind::product : Kind::mixed;
+Kind kind_of(Particles const& of, std::size_t i) {
+  double const progress = of.progress[i];
+  return progress < pure_below                   ? Kind::reactant
+         : progress > pure_above                 ? Kind::product
+         : of.log_density_ratio[i] == no_product ? Kind::reactant
+                                                 : Kind::mixed;
 }
 
 double molecular_mass(fitting::AnyEos const& any) {
@@ -41,9 +45,16 @@ class Reacting final : public Thermodynamics {
     for_each_run(
         of, range, failure, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
         [&](std::size_t i) {
-          auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], split(of, i));
-          of.S[i] = state.S;
-          take(of, i, state.split);
+          try {
+            auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], split(of, i));
+            of.S[i] = state.S;
+            take(of, i, state.split);
+          } catch (PhysicsError const&) {
+            if (of.progress[i] >= hardly_burnt)
+              throw;
+            of.log_density_ratio[i] = no_product;
+            reactant_->from_energy(of, {i, i + 1}, failure);
+          }
         });
   }
   void response(Particles& of, Range range, Failure& failure) const override {
@@ -61,32 +72,53 @@ class Reacting final : public Thermodynamics {
   }
 
   ThermalState state(Particles const& of, Index i, double eps) const override {
-    if (auto const* const pure = pure_of(of.progress[i]))
+    if (auto const* const pure = pure_of(of, i))
       return pure->state(of, i, eps);
     auto const state = mixed_.from_energy(of.progress[i], of.rho[i], eps, split(of, i));
     return {state.split.T, state.S,
             mixed_.response(of.progress[i], of.rho[i], state.split).caloric.inverse_C_0};
   }
   Caloric caloric(Particles const& of, Index i, double eps, double T_guess) const override {
-    if (auto const* const pure = pure_of(of.progress[i]))
+    if (auto const* const pure = pure_of(of, i))
       return pure->caloric(of, i, eps, T_guess);
     auto const state = mixed_.from_energy(of.progress[i], of.rho[i], eps, {T_guess, of.log_density_ratio[i]});
     return mixed_.response(of.progress[i], of.rho[i], state.split).caloric;
   }
   std::optional<double> constant_heat_capacity() const override { return std::nullopt; }
   double heat_capacity(Particles const& of, Index i) const override {
-    if (auto const* const pure = pure_of(of.progress[i]))
+    if (auto const* const pure = pure_of(of, i))
       return pure->heat_capacity(of, i);
     return 1 / mixed_.response(of.progress[i], of.rho[i], split(of, i)).caloric.inverse_C_0;
   }
-  bool must_burn_up(Particles const& of, Index i) const override {
-    return of.progress[i] >= nearly_burnt && kind_of(of.progress[i]) == Kind::mixed &&
-           mixed_.reactant_is_ending(of.progress[i], of.rho[i], split(of, i));
+  MixtureFate fate(Particles const& of, Index i) const override {
+    double const progress = of.progress[i];
+    if (progress < pure_below || progress > pure_above)
+      return MixtureFate::goes_on;
+    if (of.log_density_ratio[i] == no_product)
+      return progress >= hardly_burnt || mixes(of, i) ? MixtureFate::mixes_again : MixtureFate::goes_on;
+    auto const [reactant, product] = mixed_.stiffness(progress, of.rho[i], split(of, i));
+    if (progress >= nearly_burnt && !(reactant > weak))
+      return MixtureFate::burns_up;
+    return progress < hardly_burnt && !(product > weak) ? MixtureFate::counts_as_reactant
+                                                        : MixtureFate::goes_on;
   }
 
  private:
-  Thermodynamics const* pure_of(double progress) const {
-    auto const kind = kind_of(progress);
+  /// A part whose bulk modulus is so many times the pressure, or less, is about to end; one that begins again
+  /// is stiffer.
+  static constexpr double weak = 1, stiff = 1.5;
+
+  /// Whether a particle that counts as reactant could be a mixture for some time.
+  bool mixes(Particles const& of, std::size_t i) const {
+    try {
+      auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], {of.T[i], 0});
+      return mixed_.stiffness(of.progress[i], of.rho[i], state.split).product > stiff;
+    } catch (PhysicsError const&) {
+      return false;
+    }
+  }
+  Thermodynamics const* pure_of(Particles const& of, std::size_t i) const {
+    auto const kind = kind_of(of, i);
     return kind == Kind::mixed ? nullptr : kind == Kind::reactant ? reactant_.get() : product_.get();
   }
   static MixedParticle::Split split(Particles const& of, std::size_t i) {
@@ -104,8 +136,8 @@ class Reacting final : public Thermodynamics {
   void for_each_run(Particles const& of, Range range, Failure& failure, Pure const& pure,
                     Mixed const& mixed) const {
     for (std::size_t begin = range.begin, end = begin; begin < range.end; begin = end) {
-      auto const kind = kind_of(of.progress[begin]);
-      while (end < range.end && kind_of(of.progress[end]) == kind)
+      auto const kind = kind_of(of, begin);
+      while (end < range.end && kind_of(of, end) == kind)
         ++end;
       if (kind != Kind::mixed)
         pure(kind == Kind::reactant ? *reactant_ : *product_, Range{begin, end});
