@@ -35,8 +35,8 @@ std::vector<sdpd::ShockFrame> by_motion(std::vector<sdpd::ShockFrame> frames, St
   std::size_t const slices = frames.front().rho.size();
   auto const number = store.read_integers("profile/number");
   auto T = profile_rows(store, "T_kin" + units.temperature_key, slices);
-  auto const& n = settings.lattice;
-  double const everywhere = double(n[0]) * n[1] * n[2] / static_cast<double>(slices);
+  double const everywhere = // particles in a slice at the fluid's density
+      sdpd::box_of(settings).volume() / std::pow(settings.spacing(), 3) / static_cast<double>(slices);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     for (std::size_t s = 0; s < slices; ++s)
       frames[k].rho[s] = scene.fluid.rho * static_cast<double>(number[k * slices + s]) / everywhere;
