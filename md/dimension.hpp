@@ -16,6 +16,7 @@ enum class Dimension {
   momentum,
   pressure,
   energy,
+  specific_energy,
   entropy,
   viscosity,
   friction,

@@ -15,17 +15,16 @@ double lattice_constant(LjState state) {
 /// One run, in the order of its steps.
 class PistonRun {
  public:
-  PistonRun(MpiWorld const& world, LjPistonSettings const& settings, LjPistonConsumers const& consumers)
-      : world_(world), settings_(settings), consumers_(consumers),
-        lammps_(world, Ranks::all, settings.log_file) {}
+  PistonRun(MpiWorld const& world, LjPistonSettings const& settings, PistonConsumers const& consumers)
+      : settings_(settings), lammps_(world, Ranks::all, settings.log_file),
+        drive_(world, lammps_, box_of(settings), {}, consumers) {}
 
   bool run(std::int64_t steps) {
     set_up();
     if (!melt() || !equilibrate())
       return false;
     put_walls();
-    declare_slices();
-    return drive(steps);
+    return drive_.drive(steps, "the Lennard-Jones fluid before the piston");
   }
 
  private:
@@ -54,14 +53,7 @@ class PistonRun {
     lammps_.command("fix bath all langevin {0} {0} {1} {2} gjf vhalf", T, friction_time * scale,
                     lammps_seed(settings_.seed, purpose));
     lammps_.command("fix move all nve");
-    lammps_.command("run 0 post no");
-    constexpr std::int64_t piece = 50;
-    for (std::int64_t done = 0; done < steps; done += piece) {
-      lammps_.command("run {} pre no post no", std::min(piece, steps - done));
-      if (!told(std::min(piece, steps - done)))
-        return false;
-    }
-    return true;
+    return drive_.settle(steps);
   }
 
   bool melt() {
@@ -90,96 +82,22 @@ class PistonRun {
     auto const& s = settings_;
     lammps_.command("unfix bath");
     lammps_.command("velocity all create {} {} dist gaussian mom yes", s.ahead.T, lammps_seed(s.seed, 3));
-    lammps_.command("change_box all boundary p p sf"); // a piston asks for a face that follows the atoms
-    lammps_.command("reset_timestep 0");
-    lammps_.command("timestep {}", s.dt);
-    lammps_.command("fix piston all wall/piston zlo pos 0.0 vel {} units box", s.v_P);
-    lammps_.command("fix wall all wall/reflect zhi {} units box", s.length());
+    drive_.put_walls();
   }
 
-  void declare_slices() {
-    double const width = settings_.length() / settings_.slices();
-    lammps_.command("compute slices all chunk/atom bin/1d z 0.0 {} units box bound z 0.0 {}", width,
-                    settings_.length() - width / 2);
-    lammps_.command("compute virial all stress/atom NULL virial");
-    lammps_.command("variable one atom 1.0");
-    lammps_.command("variable vz atom vz");
-    lammps_.command("variable across atom vx*vx+vy*vy");
-    lammps_.command("variable along atom vz*vz");
-    for (auto const& [name, summed] : sums_)
-      lammps_.command("compute {} all reduce/chunk slices sum {}", name, summed);
-    std::string columns; // what is printed is tallied in the step
-    for (auto const& [name, summed] : sums_)
-      columns += fmt::format(" c_{}[1]", name);
-    lammps_.command("thermo_style custom step temp{}", columns);
-    lammps_.command("thermo {}", settings_.sample_every);
+  static PistonBox box_of(LjPistonSettings const& s) {
+    double const edge = s.cells_across * lattice_constant(s.ahead);
+    return {.length = s.length(),
+            .area = edge * edge,
+            .v_P = s.v_P,
+            .dt = s.dt,
+            .slices = s.slices(),
+            .sample_every = s.sample_every};
   }
 
-  bool drive(std::int64_t steps) {
-    lammps_.command("run 0 post no");
-    for (std::int64_t done = settings_.sample_every; done <= steps; done += settings_.sample_every) {
-      // The piston counts its time from the start of what LAMMPS is told to be one run.
-      lammps_.command("run {} pre no post no start 0 stop {}", settings_.sample_every, steps);
-      auto const slices = slices_at(done);
-      if (!asked([&] { return !consumers_.slices || consumers_.slices(slices); }) ||
-          !told(settings_.sample_every))
-        return false;
-    }
-    return true;
-  }
-
-  std::vector<double> sum(std::string const& name) {
-    std::vector<double> values;
-    for (int s = 0; s < settings_.slices(); ++s)
-      values.push_back(lammps_.compute(name, s));
-    return values;
-  }
-
-  PistonSlices slices_at(std::int64_t step) {
-    double const time = static_cast<double>(step) * settings_.dt;
-    PistonSlices now{.step = step, .time = time, .piston = settings_.v_P * time};
-    auto const number = sum("number"), vz = sum("vz"), across = sum("across"), along = sum("along"),
-               virial = sum("zz");
-    double const edge = settings_.cells_across * lattice_constant(settings_.ahead),
-                 volume = edge * edge * settings_.length() / settings_.slices();
-    for (std::size_t s = 0; s < number.size(); ++s) {
-      double const n = number[s], v = n > 0 ? vz[s] / n : 0,
-                   motion = n > 1 ? (along[s] - n * v * v) * n / (n - 1) : 0;
-      now.velocity.push_back(v);
-      now.T.push_back(n > 0 ? across[s] / (2 * n) : 0);
-      now.P.push_back(n > 1 ? (motion - virial[s]) / volume : 0);
-      if (!std::isfinite(now.P.back()))
-        throw PhysicsError(fmt::format("the Lennard-Jones fluid before the piston became unstable at step {} "
-                                       "with the time step {}",
-                                       step, settings_.dt));
-    }
-    now.number = number;
-    return now;
-  }
-
-  bool told(std::int64_t steps) {
-    steps_done_ += steps;
-    return asked([&] { return !consumers_.steps || consumers_.steps(steps_done_); });
-  }
-
-  /// The consumers of rank 0 are asked and all ranks obey.
-  template <class Question>
-  bool asked(Question const& question) {
-    bool const answer = !world_.is_root() || question();
-    return world_.root_says(answer);
-  }
-
-  MpiWorld const& world_;
   LjPistonSettings const& settings_;
-  LjPistonConsumers const& consumers_;
   LammpsSession lammps_;
-  /// Sums over the atoms of each slice, and what LAMMPS makes them of.
-  std::vector<std::pair<std::string, std::string>> const sums_{{"number", "v_one"},
-                                                               {"vz", "v_vz"},
-                                                               {"across", "v_across"},
-                                                               {"along", "v_along"},
-                                                               {"zz", "c_virial[3]"}};
-  std::int64_t steps_done_ = 0;
+  PistonDrive drive_;
 };
 
 } // namespace
@@ -237,7 +155,7 @@ void check(LjPistonSettings const& settings) {
 }
 
 bool sample_lj_piston(MpiWorld const& world, LjPistonSettings const& settings, std::int64_t steps,
-                      LjPistonConsumers const& consumers) {
+                      PistonConsumers const& consumers) {
   check(settings);
   return PistonRun(world, settings, consumers).run(steps);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "md/lj_fluid.hpp"
+#include "md/piston_drive.hpp"
 
 namespace mesobridge::md {
 
@@ -32,28 +33,12 @@ LjPistonSettings lj_piston_settings(Preset preset);
 /// Throws InputError, naming the quantity.
 void check(LjPistonSettings const& settings);
 
-/// Means over the atoms of slices of equal width along z, at one instant (md/README.md, Eq. (M10)). A slice
-/// without atoms holds 0, as has P with a single one.
-struct PistonSlices {
-  std::int64_t step = 0;
-  double time = 0, piston = 0;  ///< since the piston began to move, and where it is
-  std::vector<double> number;   ///< of atoms
-  std::vector<double> velocity; ///< along z
-  std::vector<double> T;        ///< of the motion across: along z the fluid flows
-  std::vector<double> P;        ///< P_zz: the motion about the mean velocity and the virial, without a tail
-};
-
-struct LjPistonConsumers {
-  std::function<bool(PistonSlices const&)> slices; ///< false stops the run at once
-  StepConsumer steps;                              ///< of all, those to equilibrium among them
-};
-
 /// Melts a lattice and brings it to equilibrium as sample_lj_fluid does, lets the piston move (LAMMPS's fix
 /// wall/piston) at constant energy but for its work, and tells the slices every so many steps, `steps` in
 /// all. All ranks of the world run it together; the consumers of rank 0 are asked. Samples are equal for
 /// equal seeds and numbers of ranks. Returns false when a consumer stopped the run. Throws as
 /// sample_lj_fluid.
 bool sample_lj_piston(MpiWorld const& world, LjPistonSettings const& settings, std::int64_t steps,
-                      LjPistonConsumers const& consumers);
+                      PistonConsumers const& consumers);
 
 } // namespace mesobridge::md

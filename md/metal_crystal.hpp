@@ -1,6 +1,7 @@
 #pragma once
 #include "md/lammps_session.hpp"
 #include "md/metal_potential.hpp"
+#include <array>
 
 namespace mesobridge::md {
 
@@ -25,6 +26,9 @@ class CrystalBlock {
  public:
   /// The smallest one with at least this many atoms.
   CrystalBlock(Lattice lattice, int least_atoms);
+  /// One of so many rectangular cells along x, y and z, each >= 1.
+  CrystalBlock(Lattice lattice, std::array<int, 3> const& cells)
+      : lattice_(lattice), nx_(cells[0]), ny_(cells[1]), nz_(cells[2]) {}
 
   int atoms() const;
   /// Edge of the lattice's cubic cell, or a of the hexagonal one, at a number density [1/m^3]; in metres.

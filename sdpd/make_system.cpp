@@ -39,6 +39,8 @@ BodyForce in_units(BodyForce force, ReducedUnits const& units) {
 }
 
 System empty_system(SimulationSettings const& s) {
+  auto walls = make_walls(s.faces, box_of(s).edge, s.units());
+  auto corners = make_corners(walls);
   auto parts = std::visit([&](auto const& method) { return method.parts(s); }, s.method);
   return {.box = box_of(s),
           .species = s.reduced_species(),
@@ -50,8 +52,11 @@ System empty_system(SimulationSettings const& s) {
           .law = std::move(parts.law),
           .conduction = std::move(parts.conduction),
           .neighbours = Neighbours(box_of(s), s.range(), skin_of(s), s.threads, open_axes(s.faces)),
-          .walls = make_walls(s.faces, box_of(s).edge, s.units()),
+          .walls = std::move(walls),
+          .corners = std::move(corners),
           .body_force = in_units(s.body_force, s.units()),
+          .reaction = std::move(parts.reaction),
+          .particles = {},
           .boltzmann = parts.boltzmann,
           .seed = s.seed,
           .threads = s.threads};
@@ -65,6 +70,8 @@ void fill(System& system, SimulationSettings const& s) {
     system.species_of_id = draw_species(system.species, s.particle_count(), s.seed);
   system.label_particles();
   std::fill(particles.T.begin(), particles.T.end(), 1.0);
+  if (system.reaction)
+    std::fill(particles.progress.begin(), particles.progress.end(), s.as<Sdpd>().reaction->progress);
   put_before_walls(system);
   if (s.noise)
     draw_momenta(particles, {}, system.boltzmann, s.seed);
@@ -85,6 +92,9 @@ void fill(System& system, SimulationSettings const& s, Layout const& layout) {
     for (auto const region : regions)
       system.species_of_id.push_back(layout.regions()[region].species);
   system.label_particles();
+  if (system.reaction)
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      particles.progress[i] = layout.regions()[regions[i]].progress;
   let_flow(particles, layout, regions);
   put_before_walls(system);
   if (s.noise)

@@ -43,8 +43,8 @@ void check_values(Checkpoint const& c, Box const& box) {
   }
   for (auto const& field : fields)
     for (double const value : c.particles.*field.values)
-      require(value > 0 || !field.positive, fmt::format("a value of {} in the checkpoint", field.name), value,
-              "must be > 0");
+      require(field.range.contains(value), fmt::format("a value of {} in the checkpoint", field.name), value,
+              field.range.demand());
 }
 
 /// What a checkpoint keeps of the particles.
@@ -90,6 +90,14 @@ void restore_flow(System& system, std::vector<double> const& of) {
   system.body_work = of[numbers - 2], system.sink_heat = of[numbers - 1];
 }
 
+void restore_reaction(System& system, std::vector<double> const& of) {
+  std::size_t const numbers = system.reaction ? 1 : 0;
+  require(of.size() == numbers, "numbers of the reaction in the checkpoint", of.size(),
+          fmt::format("must be {} as in the scene", numbers));
+  if (!of.empty())
+    system.reaction_time = of[0];
+}
+
 } // namespace
 
 Snapshot Simulation::snapshot() const {
@@ -130,6 +138,8 @@ Checkpoint Simulation::checkpoint() const {
   if (!c.walls.empty())
     c.walls.push_back(system_->wall_time);
   c.flow = flow_of(*system_);
+  if (system_->reaction)
+    c.reaction = {system_->reaction_time};
   return c;
 }
 
@@ -145,6 +155,7 @@ void Simulation::restore(Checkpoint const& c) {
   particles.q = c.particles.q;
   restore_walls(*system_, c.walls);
   restore_flow(*system_, c.flow);
+  restore_reaction(*system_, c.reaction);
   system_->step = c.step;
   system_->kept_energy = c.kept_energy, system_->pair_counts = c.pair_counts;
   system_->conduction_counts = c.conduction_counts;
@@ -158,6 +169,7 @@ void Simulation::begin_from(Checkpoint const& c) {
   system_->label_particles();
   restore_walls(*system_, c.walls);
   restore_flow(*system_, c.flow);
+  restore_reaction(*system_, c.reaction);
   system_->step = c.step;
   system_->neighbours.renew(particles);
   refresh(*system_);

@@ -21,6 +21,21 @@ inline SimulationSettings argon(double K, double dt) {
           .dt = dt};
 }
 
+/// Nitromethane that burns as in the thesis, section 6.3, with the heat of reaction of 4.78e-19 J a molecule;
+/// it starts as compressed and hot as behind the front of its detonation.
+inline SimulationSettings burning_nitromethane(double K, double dt, double progress = 0.3) {
+  return {.method = Sdpd{.eos = fitting::material("nitromethane").eos,
+                         .K = K,
+                         .eta = 1e-2,
+                         .reaction = SdpdReaction{.product = fitting::material("nitromethane-products").eos,
+                                                  .heat = 4.7159e6,
+                                                  .kinetics = SecondOrder{{1e15, 3e-19}, {}},
+                                                  .progress = progress}},
+          .rho = 1700,
+          .T = 2500,
+          .dt = dt};
+}
+
 inline SimulationSettings with_conduction(SimulationSettings settings, double kappa_reduced) {
   settings.as<Sdpd>().kappa = kappa_reduced * settings.units().conductivity();
   return settings;

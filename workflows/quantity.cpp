@@ -48,6 +48,8 @@ constexpr Unit units[] = {
     {Dimension::pressure, "bar", 1e5},
     {Dimension::energy, "J", 1},
     {Dimension::energy, "eV", 1.602176634e-19},
+    {Dimension::specific_energy, "J/kg", 1},
+    {Dimension::specific_energy, "MJ/kg", 1e6},
     {Dimension::entropy, "J/K", 1},
     {Dimension::viscosity, "Pa*s", 1},
     {Dimension::viscosity, "mPa*s", 1e-3},

@@ -1,5 +1,6 @@
 #pragma once
 #include "fitting/eos/evaluate.hpp"
+#include "fitting/eos/mixture_parts.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,6 @@
 #include <string_view>
 
 namespace mesobridge::fitting {
-
-/// How the volumes of the parts make that of the mixture (fitting/README.md, Eq. (F12)).
-enum class VolumeLaw {
-  additive_volume, ///< 1/rho = (1 - lambda)/rho_0 + lambda/rho_1: the parts lie beside each other
-  paper            ///< rho = (1 - lambda) rho_0 + lambda rho_1, thesis (6.7)
-};
 
 /// Where the parts of a mixture are: all that its other quantities follow from, and what the next solution
 /// of a nearby state starts from.
@@ -26,7 +21,7 @@ struct MixtureSplit {
 struct MixtureState {
   MixtureSplit split;
   double rho_reactant, rho_product;
-  double T, P, s, c_v;
+  double T, P, e, s, c_v;
   double sound_speed_squared; ///< at constant s and lambda; may be < 0 in tension
 };
 
@@ -45,8 +40,7 @@ struct MixtureState {
 /// thinned out to a gas that they say nothing about (HZ keeps a pressure of GPa at zero density and thousands
 /// of K). Of several equilibria it finds the one with the densest reactant; a guess leads to the one nearby.
 /// PhysicsError where there is none: hot products of low pressure cannot balance such a reactant.
-///
-/// No scene and no command reaches it yet: it waits for particles that react.
+/// Many states at once: mixture_array.hpp.
 template <EquationOfState Reactant, EquationOfState Product>
 class Mixture {
  public:
@@ -58,116 +52,83 @@ class Mixture {
   /// The state at the progress, density and energy; `guess` is that of a nearby state.
   MixtureState state(double lambda, double rho, double e,
                      std::optional<MixtureSplit> const& guess = std::nullopt) const {
-    validate(lambda, rho, e);
-    if (lambda == 0)
-      return pure(reactant_, rho, e);
-    if (lambda == 1)
-      return pure(product_, rho, e);
-    Problem const problem{lambda, rho, e};
-    auto const found = guess ? newton(problem, *guess) : std::nullopt;
-    return found ? *found : search(problem);
+    return solve({lambda, rho, e, Given::energy}, guess);
+  }
+
+  /// The same at a given entropy s = (1 - lambda) s_0 + lambda s_1 instead of the energy.
+  MixtureState state_from_entropy(double lambda, double rho, double s,
+                                  std::optional<MixtureSplit> const& guess = std::nullopt) const {
+    return solve({lambda, rho, s, Given::entropy}, guess);
   }
 
   /// e(T, rho) of the equilibrium, the inverse of the above.
   double energy_from_temperature(double lambda, double rho, double T) const {
-    validate(lambda, rho, T);
-    if (lambda == 0)
-      return reactant_.energy_from_temperature(T, rho);
-    if (lambda == 1)
-      return product_.energy_from_temperature(T, rho);
-    Problem const problem{lambda, rho, 0};
-    auto const found = T > 0 ? balanced(problem, T) : std::nullopt;
-    if (!found)
-      refuse(problem, fmt::format("at temperature {} no densities of the parts balance", T));
-    return found->energy;
+    return state_from_temperature(lambda, rho, T).e;
   }
+  MixtureState state_from_temperature(double lambda, double rho, double T) const;
+  /// The state at a split that a solution left. Throws PhysicsError where it is not stable.
+  MixtureState state_at(double lambda, double rho, MixtureSplit const& split) const;
 
   Reactant const& reactant() const { return reactant_; }
   Product const& product() const { return product_; }
   VolumeLaw law() const { return law_; }
 
  private:
+  enum class Given { energy, entropy, temperature };
   struct Problem {
-    double lambda, rho, e;
-  };
-  struct Densities {
-    double reactant, product;
-    double share; ///< of the product in the volume (additive) or the density (paper): d ln rho_0/d ln(ratio)
-                  ///< = -share
-  };
+    double lambda, rho, value;
+    Given given;
 
-  /// One part at its density and the common temperature.
-  struct Part {
-    double rho, e, P, c_v, P_T;
-    double rho_P_rho, e_log_rho; ///< dP/d ln rho and de/d ln rho at constant T
+    char const* name() const {
+      return given == Given::energy ? "energy" : given == Given::entropy ? "entropy" : "temperature";
+    }
   };
   template <class E>
-  static Part part(E const& eos, double rho, double T) {
-    auto const isochore = eos.isochore(rho);
-    double const P = isochore.pressure(T), P_T = isochore.pressure_slope(T);
-    return {.rho = rho,
-            .e = isochore.energy(T),
-            .P = P,
-            .c_v = isochore.heat_capacity(T),
-            .P_T = P_T,
-            .rho_P_rho = rho * isochore.pressure_density_slope(T),
-            .e_log_rho = (P - T * P_T) / rho};
+  using IsochoreOf = decltype(std::declval<E const&>().isochore(1.0));
+  using At = MixtureAt<double, IsochoreOf<Reactant>, IsochoreOf<Product>>;
+
+  /// The energy or the entropy of a trial, whichever is given.
+  static double value(Problem const& p, At const& at) {
+    return p.given == Given::entropy ? at.entropy() : at.energy();
   }
 
-  /// Both parts at a trial split, with the two conditions of equilibrium and their derivatives.
-  struct Parts {
-    double lambda, share, T;
-    Part reactant, product;
-
-    double energy() const { return (1 - lambda) * reactant.e + lambda * product.e; }
-    bool stable() const { return reactant.rho_P_rho > 0 && product.rho_P_rho > 0; }
-    double pressure_gap() const { return product.P - reactant.P; }
-    // Derivatives by r = ln(rho_1/rho_0) at constant T and total density, and by T at constant r.
-    double gap_r() const { return (1 - share) * product.rho_P_rho + share * reactant.rho_P_rho; }
-    double gap_T() const { return product.P_T - reactant.P_T; }
-    double energy_r() const {
-      return lambda * (1 - share) * product.e_log_rho - (1 - lambda) * share * reactant.e_log_rho;
-    }
-    double energy_T() const { return (1 - lambda) * reactant.c_v + lambda * product.c_v; }
-  };
-
-  static void validate(double lambda, double rho, double e) {
-    if (!(lambda >= 0 && lambda <= 1))
-      throw PhysicsError(fmt::format("mixture: progress lambda = {} must lie in [0, 1]", lambda));
-    if (!(rho > 0 && std::isfinite(rho) && std::isfinite(e)))
+  static void validate(Problem const& p) {
+    if (!(p.lambda >= 0 && p.lambda <= 1))
+      throw PhysicsError(fmt::format("mixture: progress lambda = {} must lie in [0, 1]", p.lambda));
+    if (!(p.rho > 0 && std::isfinite(p.rho) && std::isfinite(p.value)))
       throw PhysicsError(
-          fmt::format("mixture: density {} must be > 0, energy or temperature {} finite", rho, e));
+          fmt::format("mixture: density {} must be > 0, {} {} finite", p.rho, p.name(), p.value));
   }
 
   [[noreturn]] static void refuse(Problem const& p, std::string_view why) {
-    throw PhysicsError(
-        fmt::format("mixture of progress {} at density {}, energy {}: {}", p.lambda, p.rho, p.e, why));
-  }
-
-  Densities densities(Problem const& p, double r) const {
-    bool const additive = law_ == VolumeLaw::additive_volume;
-    double const ratio = std::exp(r), product_weight = additive ? p.lambda / ratio : p.lambda * ratio;
-    double const sum = 1 - p.lambda + product_weight, reactant = additive ? p.rho * sum : p.rho / sum;
-    return {reactant, reactant * ratio, product_weight / sum};
+    throw PhysicsError(fmt::format("mixture of progress {} at density {}, {} {}: {}", p.lambda, p.rho,
+                                   p.name(), p.value, why));
   }
 
   /// Throws PhysicsError where a part is outside its model.
-  Parts parts(Problem const& p, MixtureSplit const& split) const {
-    auto const d = densities(p, split.log_density_ratio);
-    return {p.lambda, d.share, split.T, part(reactant_, d.reactant, split.T),
-            part(product_, d.product, split.T)};
+  At at(Problem const& p, MixtureSplit const& split) const {
+    auto const d = mixture_densities(law_, p.lambda, p.rho, split.log_density_ratio);
+    double const T = split.T;
+    return {p.lambda,
+            p.rho,
+            T,
+            d.share,
+            {reactant_.isochore(d.reactant), d.reactant, T},
+            {product_.isochore(d.product), d.product, T}};
   }
+  static bool stable(At const& at) { return at.reactant.rho_P_rho > 0 && at.product.rho_P_rho > 0; }
 
+  MixtureState solve(Problem const& p, std::optional<MixtureSplit> const& guess) const;
   std::optional<MixtureState> newton(Problem const& p, MixtureSplit const& split) const;
   std::optional<MixtureState> newton_steps(Problem const& p, MixtureSplit split) const;
-  MixtureState state_of(Problem const& p, Parts const& parts, double r) const;
+  static MixtureState state_of(At const& at, double r);
   template <class E>
-  MixtureState pure(E const& eos, double rho, double e) const;
+  static MixtureState pure(E const& eos, Problem const& p);
 
   /// Mechanical equilibrium at a given temperature: of several, the one with the densest reactant.
   struct Balanced {
     MixtureSplit split;
-    double energy;
+    double value; ///< energy or entropy
   };
   std::optional<Balanced> balanced(Problem const& p, double T) const;
   /// P_1 - P_0, which turns from negative to positive at a balance.

@@ -7,58 +7,87 @@ namespace mesobridge::fitting {
 
 template <EquationOfState Reactant, EquationOfState Product>
 template <class E>
-MixtureState Mixture<Reactant, Product>::pure(E const& eos, double rho, double e) const {
-  double const T = eos.temperature(e, rho);
-  auto const isochore = eos.isochore(rho);
+MixtureState Mixture<Reactant, Product>::pure(E const& eos, Problem const& p) {
+  double const T = p.given == Given::temperature ? p.value
+                   : p.given == Given::energy
+                       ? eos.temperature(p.value, p.rho)
+                       : eos.temperature(eos.energy_from_entropy(p.value, p.rho), p.rho);
+  double const e = eos.energy_from_temperature(T, p.rho);
+  auto const isochore = eos.isochore(p.rho);
   return {.split = {T, 0},
-          .rho_reactant = rho,
-          .rho_product = rho,
+          .rho_reactant = p.rho,
+          .rho_product = p.rho,
           .T = T,
           .P = isochore.pressure(T),
+          .e = e,
           .s = isochore.entropy(T),
           .c_v = isochore.heat_capacity(T),
           .sound_speed_squared = mesobridge::fitting::sound_speed_squared(isochore, T)};
 }
 
 template <EquationOfState Reactant, EquationOfState Product>
-MixtureState Mixture<Reactant, Product>::state_of(Problem const& p, Parts const& at, double r) const {
-  auto const& [lambda, share, T, reactant, product] = at;
-  // How the split follows T and the density of the whole.
-  double const r_T = -at.gap_T() / at.gap_r(), r_rho = (reactant.rho_P_rho - product.rho_P_rho) / at.gap_r();
-  double const P = (1 - share) * reactant.P + share * product.P;
-  double const c_v = at.energy_T() + at.energy_r() * r_T;
-  double const P_T = reactant.P_T - share * reactant.rho_P_rho * r_T;
-  double const P_log_rho = reactant.rho_P_rho * (1 - share * r_rho);
-  double const e_log_rho = (1 - lambda) * reactant.e_log_rho * (1 - share * r_rho) +
-                           lambda * product.e_log_rho * (1 + (1 - share) * r_rho);
-  return {.split = {T, r},
-          .rho_reactant = reactant.rho,
-          .rho_product = product.rho,
-          .T = T,
-          .P = P,
-          .s = (1 - lambda) * reactant_.isochore(reactant.rho).entropy(T) +
-               lambda * product_.isochore(product.rho).entropy(T),
-          .c_v = c_v,
-          .sound_speed_squared = (P_log_rho + P_T / c_v * (P / p.rho - e_log_rho)) / p.rho};
+MixtureState Mixture<Reactant, Product>::state_of(At const& at, double r) {
+  return {.split = {at.T, r},
+          .rho_reactant = at.reactant.rho,
+          .rho_product = at.product.rho,
+          .T = at.T,
+          .P = at.pressure(),
+          .e = at.energy(),
+          .s = at.entropy(),
+          .c_v = at.heat_capacity(),
+          .sound_speed_squared = at.sound_speed_squared()};
+}
+
+template <EquationOfState Reactant, EquationOfState Product>
+MixtureState Mixture<Reactant, Product>::solve(Problem const& p,
+                                               std::optional<MixtureSplit> const& guess) const {
+  validate(p);
+  if (p.lambda == 0)
+    return pure(reactant_, p);
+  if (p.lambda == 1)
+    return pure(product_, p);
+  auto const found = guess ? newton(p, *guess) : std::nullopt;
+  return found ? *found : search(p);
+}
+
+template <EquationOfState Reactant, EquationOfState Product>
+MixtureState Mixture<Reactant, Product>::state_from_temperature(double lambda, double rho, double T) const {
+  Problem const p{lambda, rho, T, Given::temperature};
+  validate(p);
+  if (lambda == 0)
+    return pure(reactant_, p);
+  if (lambda == 1)
+    return pure(product_, p);
+  auto const found = T > 0 ? balanced(p, T) : std::nullopt;
+  if (!found)
+    refuse(p, fmt::format("at temperature {} no densities of the parts balance", T));
+  double r = found->split.log_density_ratio; // to 1e-9; two steps bring it to round-off
+  for (int step = 0; step < 2; ++step) {
+    auto const here = at(p, {T, r});
+    r -= here.pressure_gap() / here.gap_r();
+  }
+  return state_of(at(p, {T, r}), r);
 }
 
 template <EquationOfState Reactant, EquationOfState Product>
 std::optional<MixtureState> Mixture<Reactant, Product>::newton_steps(Problem const& p,
                                                                      MixtureSplit split) const {
   // The error after a step is of second order.
-  constexpr double last_step = 1e-7, longest_step = 0.5;
+  constexpr double last_step = 1e-8, longest_step = 0.5;
   constexpr int most_steps = 40;
   bool converged = false;
   for (int iteration = 0; iteration < most_steps && split.T > 0; ++iteration) {
-    Parts const at = parts(p, split);
-    double const gap_r = at.gap_r(), inverse = 1 / gap_r, energy_r = at.energy_r();
-    double const r_T = -at.gap_T() * inverse, c_v = at.energy_T() + energy_r * r_T;
-    if (!(at.stable() && c_v > 0))
+    At const here = at(p, split);
+    bool const by_entropy = p.given == Given::entropy;
+    double const inverse = 1 / here.gap_r(), r_T = -here.gap_T() * inverse;
+    double const value_r = by_entropy ? here.entropy_r() : here.energy_r();
+    double const slope = (by_entropy ? here.entropy_T() : here.energy_T()) + value_r * r_T;
+    if (!(stable(here) && slope > 0))
       return std::nullopt;
     if (converged)
-      return state_of(p, at, split.log_density_ratio);
-    double const r_gap = -at.pressure_gap() * inverse;
-    double const dT = (p.e - at.energy() - energy_r * r_gap) / c_v, dr = r_gap + r_T * dT;
+      return here.heat_capacity() > 0 ? std::optional(state_of(here, split.log_density_ratio)) : std::nullopt;
+    double const r_gap = -here.pressure_gap() * inverse;
+    double const dT = (p.value - value(p, here) - value_r * r_gap) / slope, dr = r_gap + r_T * dT;
     double const longest = std::max(std::abs(dT) / split.T, std::abs(dr));
     if (!(longest < std::numeric_limits<double>::infinity()))
       return std::nullopt;
@@ -80,17 +109,33 @@ std::optional<MixtureState> Mixture<Reactant, Product>::newton(Problem const& p,
   }
 }
 
+template <EquationOfState Reactant, EquationOfState Product>
+MixtureState Mixture<Reactant, Product>::state_at(double lambda, double rho,
+                                                  MixtureSplit const& split) const {
+  Problem const p{lambda, rho, split.T, Given::temperature};
+  validate(p);
+  if (lambda == 0)
+    return pure(reactant_, p);
+  if (lambda == 1)
+    return pure(product_, p);
+  At const here = at(p, split);
+  if (!(stable(here) && here.heat_capacity() > 0))
+    refuse(p, fmt::format("its parts are not stable at the ratio exp({}) of their densities",
+                          split.log_density_ratio));
+  return state_of(here, split.log_density_ratio);
+}
+
 /// Beyond the highest density of a part its pressure counts as infinite; outside a model there is no value.
 template <EquationOfState Reactant, EquationOfState Product>
 auto Mixture<Reactant, Product>::gap(Problem const& p, MixtureSplit const& split) const -> Gap {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  auto const d = densities(p, split.log_density_ratio);
+  auto const d = mixture_densities(law_, p.lambda, p.rho, split.log_density_ratio);
   bool const reactant_full = d.reactant >= reactant_rho_max_, product_full = d.product >= product_rho_max_;
   if (reactant_full != product_full)
     return {reactant_full ? -infinity : infinity, true};
   try {
-    Parts const at = parts(p, split);
-    return {at.pressure_gap(), at.reactant.rho_P_rho > 0};
+    At const here = at(p, split);
+    return {here.pressure_gap(), here.reactant.rho_P_rho > 0};
   } catch (PhysicsError const&) {
     return {std::numeric_limits<double>::quiet_NaN(), true};
   }
@@ -108,9 +153,9 @@ auto Mixture<Reactant, Product>::balanced_between(Problem const& p, double T, do
   // A part at the end of its model is no balance.
   constexpr double balance = 1e-6;
   try {
-    Parts const at = parts(p, split);
-    bool const is_balance = at.stable() && std::abs(at.pressure_gap()) < balance * at.gap_r();
-    return is_balance ? std::optional(Balanced{split, at.energy()}) : std::nullopt;
+    At const here = at(p, split);
+    bool const is_balance = stable(here) && std::abs(here.pressure_gap()) < balance * here.gap_r();
+    return is_balance ? std::optional(Balanced{split, value(p, here)}) : std::nullopt;
   } catch (PhysicsError const&) {
     return std::nullopt;
   }
@@ -133,7 +178,7 @@ auto Mixture<Reactant, Product>::balanced(Problem const& p, double T) const -> s
   return std::nullopt;
 }
 
-/// The solution between two balances whose energies lie below and above p.e. Nothing if the energy jumps.
+/// The solution between two balances whose values lie below and above the given one. Nothing if they jump.
 template <EquationOfState Reactant, EquationOfState Product>
 std::optional<MixtureState> Mixture<Reactant, Product>::between(Problem const& p, Balanced below,
                                                                 Balanced above) const {
@@ -147,7 +192,7 @@ std::optional<MixtureState> Mixture<Reactant, Product>::between(Problem const& p
       return std::nullopt;
     if (auto const found = newton(p, middle->split))
       return found;
-    (middle->energy < p.e ? below : above) = *middle;
+    (middle->value < p.value ? below : above) = *middle;
   }
   return std::nullopt;
 }
@@ -156,13 +201,13 @@ std::optional<MixtureState> Mixture<Reactant, Product>::between(Problem const& p
 template <EquationOfState Reactant, EquationOfState Product>
 std::optional<MixtureState> Mixture<Reactant, Product>::at_edge(Problem const& p, Balanced inside,
                                                                 double T_outside) const {
-  bool const low = inside.energy < p.e;
+  bool const low = inside.value < p.value;
   constexpr int halvings = 30;
   for (int i = 0; i < halvings; ++i) {
     auto const middle = balanced(p, 0.5 * (inside.split.T + T_outside));
     if (!middle)
       T_outside = 0.5 * (inside.split.T + T_outside);
-    else if ((middle->energy < p.e) == low)
+    else if ((middle->value < p.value) == low)
       inside = *middle;
     else
       return low ? between(p, inside, *middle) : between(p, *middle, inside);
@@ -180,14 +225,14 @@ MixtureState Mixture<Reactant, Product>::search(Problem const& p) const {
   for (double T = coldest; T <= std::min(hottest, T_max_) && !found; T *= ratio) {
     auto const here = balanced(p, T);
     if (here) {
-      lowest = std::min(lowest, here->energy);
-      highest = std::max(highest, here->energy);
+      lowest = std::min(lowest, here->value);
+      highest = std::max(highest, here->value);
     }
-    if (here && before && before->energy < p.e && here->energy >= p.e)
+    if (here && before && before->value < p.value && here->value >= p.value)
       found = between(p, *before, *here);
-    else if (here && !before && here->energy >= p.e && T > coldest)
+    else if (here && !before && here->value >= p.value && T > coldest)
       found = at_edge(p, *here, T / ratio);
-    else if (!here && before && before->energy < p.e)
+    else if (!here && before && before->value < p.value)
       found = at_edge(p, *before, T);
     before = here;
   }
@@ -195,14 +240,13 @@ MixtureState Mixture<Reactant, Product>::search(Problem const& p) const {
     return *found;
   if (!(lowest <= highest))
     refuse(p, "the parts balance at no temperature");
-  if (p.e <= lowest)
-    refuse(p, fmt::format("the energy lies below {}, that of the coldest parts that balance", lowest));
-  if (p.e >= highest)
-    refuse(p,
-           fmt::format("the parts balance up to the energy {} only; hotter products need a higher pressure "
-                       "to balance the reactant",
-                       highest));
-  refuse(p, fmt::format("the energy lies in a gap of those that balanced parts have, {} to {}", lowest,
+  if (p.value <= lowest)
+    refuse(p, fmt::format("the {} lies below {}, that of the coldest parts that balance", p.name(), lowest));
+  if (p.value >= highest)
+    refuse(p, fmt::format("the parts balance up to the {} {} only; hotter products need a higher pressure "
+                          "to balance the reactant",
+                          p.name(), highest));
+  refuse(p, fmt::format("the {} lies in a gap of those that balanced parts have, {} to {}", p.name(), lowest,
                         highest));
 }
 

@@ -43,6 +43,9 @@ std::array<bool, 3> open_axes(Faces const& faces);
 /// The faces' walls in reduced units, of a box with these edges.
 std::vector<Wall> make_walls(Faces const& faces, Vec3 const& edge, ReducedUnits const& units);
 
+/// All edges and corners in which those walls meet.
+std::vector<WallCorner> make_corners(std::vector<Wall> const& walls);
+
 /// Throws InputError that names the face that cannot be as it is.
 void check(Faces const& faces);
 

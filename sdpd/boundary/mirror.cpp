@@ -10,31 +10,60 @@ struct OfImage {
   double strength = 0, energy = 0;
 };
 
-/// Forces by images, law(i, j, r) each, whose sum along the normal is the wall's. Half of their virial and
-/// energy is the fluid's, the other half the images'. Returns that energy.
+/// Forces of one layer's images: along the normals of its walls, which these exert, the virial and the energy.
+struct OfLayer {
+  Vec3 force;
+  double virial = 0, energy = 0;
+};
+
+/// Adds the forces by the images of a layer, law(i, j, r) each. Half of their virial and energy is the fluid's,
+/// the other half the images'. The energy comes on top of that of the layers before.
+template <class Law>
+OfLayer add_forces(System& system, WallLayer const& layer, double energy_before, Law const& law) {
+  auto& particles = system.particles;
+  auto const& [near, images, candidates, renewal, position] = layer;
+  std::vector<OfLayer> of_each(near.size());
+  for_each_index(near.size(), threads_for(system, layer), [&, &near = near, &images = images](std::size_t k) {
+    Index const i = near[k];
+    auto& [sum, virial, energy] = of_each[k];
+    for (auto const& [j, r] : images[k]) {
+      auto const [strength, u] = law(i, j, r);
+      sum += strength * r, virial += 0.5 * strength * norm2(r), energy += 0.5 * u;
+    }
+    particles.f[i] += sum;
+  });
+  OfLayer whole{.force = {}, .virial = 0, .energy = energy_before};
+  for (auto const& one : of_each)
+    whole.force += one.force, whole.virial += one.virial, whole.energy += one.energy;
+  return whole;
+}
+
+/// The same of all layers. An image behind several walls is pushed by each along its normal (Eq. (S56)). Returns
+/// the energy.
 template <class Law>
 double add_forces(System& system, Law const& law) {
-  auto& particles = system.particles;
   double total = 0;
   for (auto& wall : system.walls) {
-    auto const& near = wall.layer.particles;
-    auto const& images = wall.layer.images;
-    std::vector<double> normal(near.size()), virial(near.size()), energy(near.size());
-    for_each_index(near.size(), system.threads, [&](std::size_t k) {
-      Index const i = near[k];
-      Vec3 sum;
-      for (auto const& [j, r] : images[k]) {
-        auto const [strength, u] = law(i, j, r);
-        sum += strength * r, virial[k] += 0.5 * strength * norm2(r), energy[k] += 0.5 * u;
-      }
-      particles.f[i] += sum;
-      normal[k] = component(sum, wall.axis);
-    });
-    wall.force = std::accumulate(normal.begin(), normal.end(), 0.0);
-    system.virial += std::accumulate(virial.begin(), virial.end(), 0.0);
-    total = std::accumulate(energy.begin(), energy.end(), total);
+    auto const [force, virial, energy] = add_forces(system, wall.layer, total, law);
+    wall.force = component(force, wall.axis);
+    system.virial += virial, total = energy;
+  }
+  for (auto const& corner : system.corners) {
+    auto const [force, virial, energy] = add_forces(system, corner.layer, total, law);
+    for (auto const w : corner.walls)
+      system.walls[w].force += component(force, system.walls[w].axis);
+    system.virial += virial, total = energy;
   }
   return total;
+}
+
+/// Calls f(layer) for what is seen behind each wall, then behind several.
+template <class F>
+void for_each_layer(System const& system, F const& f) {
+  for (auto const& wall : system.walls)
+    f(wall.layer);
+  for (auto const& corner : system.corners)
+    f(corner.layer);
 }
 
 } // namespace
@@ -46,13 +75,14 @@ void add_wall_densities(System& system) {
   auto& particles = system.particles;
   std::visit(
       [&](auto const& kernel) {
-        for (auto const& wall : system.walls)
-          for_each_index(wall.layer.particles.size(), system.threads, [&](std::size_t k) {
+        for_each_layer(system, [&](WallLayer const& layer) {
+          for_each_index(layer.particles.size(), threads_for(system, layer), [&](std::size_t k) {
             double rho = 0;
-            for (auto const& [j, r] : wall.layer.images[k])
+            for (auto const& [j, r] : layer.images[k])
               rho += weight_of(system, j) * kernel.W(norm(r));
-            particles.rho[wall.layer.particles[k]] += rho;
+            particles.rho[layer.particles[k]] += rho;
           });
+        });
       },
       system.kernel);
 }
@@ -109,12 +139,12 @@ void add_wall_virials(System const& system, std::vector<double>& virial) {
   std::visit(
       [&](auto const& potential) {
         if constexpr (requires { potential(1.0, 1.0); })
-          for (auto const& wall : system.walls)
-            for (std::size_t k = 0; k < wall.layer.particles.size(); ++k)
-              for (auto const& [j, r] : wall.layer.images[k])
+          for_each_layer(system, [&](WallLayer const& layer) {
+            for (std::size_t k = 0; k < layer.particles.size(); ++k)
+              for (auto const& [j, r] : layer.images[k])
                 if (double const distance = norm(r); distance < potential.cutoff())
-                  virial[wall.layer.particles[k]] +=
-                      0.5 * potential(distance, 1 / distance).strength * norm2(r);
+                  virial[layer.particles[k]] += 0.5 * potential(distance, 1 / distance).strength * norm2(r);
+          });
       },
       system.potential);
 }
@@ -123,11 +153,12 @@ namespace {
 
 bool some_came_through(System const& system, Wall const& wall) {
   std::atomic<bool> some = false;
+  double const place = wall.position(system.wall_time);
   for_each_part(system.size(), system.threads, [&](std::size_t begin, std::size_t end) {
     bool found = false;
     for (std::size_t i = begin; i < end; ++i)
-      found |= wall.upper ? component(system.particles.q[i], wall.axis) > wall.position(system.wall_time)
-                          : component(system.particles.q[i], wall.axis) < wall.position(system.wall_time);
+      found |= wall.upper ? component(system.particles.q[i], wall.axis) > place
+                          : component(system.particles.q[i], wall.axis) < place;
     if (found)
       some.store(true, std::memory_order_relaxed);
   });

@@ -3,6 +3,12 @@
 
 namespace mesobridge::sdpd {
 
+/// Threads that are worth waking for a layer: one for the few particles of a corner.
+inline int threads_for(System const& system, WallLayer const& layer) {
+  constexpr std::size_t few = 256;
+  return layer.particles.size() < few ? 1 : system.threads;
+}
+
 /// Finds the images that particles see behind the walls, for the positions of now.
 void find_wall_images(System& system);
 

@@ -56,23 +56,17 @@ double heat_weight(Law const& law, System const& system, Wall const& wall, std::
   return sum;
 }
 
-/// What a wall has given to one particle.
-struct Given {
-  Vec3 impulse;
-  double work = 0, heat = 0;
-};
-
 /// Adds up in the order of the layer what f(k) says of its k-th particle.
 template <class F>
 void give(System const& system, Wall& wall, F const& f) {
-  std::vector<Given> given(wall.layer.particles.size());
+  std::vector<GivenByWall> given(wall.layer.particles.size());
   for_each_index(given.size(), system.threads, [&](std::size_t k) { given[k] = f(k); });
   for (auto const& [impulse, work, heat] : given)
     wall.drag += impulse, wall.work += work, wall.heat += heat;
 }
 
 Vec3 gaussian_vector(NoiseSource const& source, std::uint32_t id, Wall const& wall) {
-  auto const [x, y, z] = gaussians_reference(source, id, wall.upper);
+  auto const [x, y, z] = gaussians_reference(source, id, wall.number);
   return {x, y, z};
 }
 
@@ -82,7 +76,7 @@ double boltzmann_of(AnyPairLaw const& any) {
 
 /// The exact Ornstein-Uhlenbeck step of a velocity about the wall's (Eq. (S51)). Compiled once, so that it
 /// has the same bits on one thread and on several.
-[[gnu::noinline]] Given rub(System& system, Wall const& wall, std::size_t k, double dt,
+[[gnu::noinline]] GivenByWall rub(System& system, Wall const& wall, std::size_t k, double dt,
                             NoiseSource const& source) {
   auto& particles = system.particles;
   Index const i = wall.layer.particles[k];
@@ -122,7 +116,7 @@ double take_heat(System& system, Index i, double u) {
 /// The step of conduction at frozen heat capacity and noise, with the wall as a particle of infinite heat
 /// capacity (Eq. (S53)).
 template <class Law>
-[[gnu::noinline]] Given warm(System& system, Law const& law, Wall const& wall, std::size_t k, double dt,
+[[gnu::noinline]] GivenByWall warm(System& system, Law const& law, Wall const& wall, std::size_t k, double dt,
                              NoiseSource const& source) {
   auto const& particles = system.particles;
   Index const i = wall.layer.particles[k];
@@ -149,7 +143,7 @@ bool has_rough_walls(System const& system) {
 }
 
 Vec3 wall_velocity(System const& system, Wall const& wall) {
-  Vec3 velocity = system.walls_held ? Vec3{} : wall.friction.slide;
+  Vec3 velocity = system.walls_held ? Vec3{} : wall.friction.slide_at(system.wall_time);
   component(velocity, wall.axis) = system.walls_held ? 0 : wall.motion.velocity_at(system.wall_time);
   return velocity;
 }
@@ -158,14 +152,23 @@ WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k) 
   return std::visit([&](auto const& law) { return friction_weights(law, system, wall, k); }, system.law);
 }
 
+WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k, double T) {
+  auto const [normal, along] = wall_weights(system, wall, k);
+  double const of_T = std::visit(
+      [&](auto const& law) { return gamma_over_a(law, T) / gamma_over_a(law, wall.friction.temperature); },
+      system.law);
+  return {of_T * normal, of_T * along};
+}
+
 SubStep wall_friction(System const& system, double dt, bool second) {
   using enum Conserved;
-  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction);
+  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction),
+             all_baths = std::ranges::all_of(system.walls, [](Wall const& wall) { return wall.friction.bath; });
   SubStep step{.name = "friction and heat of the walls",
                .conserves = {positions, momentum, energy},
                .noise = {wall_friction_noise.of(second)},
                .run = {}};
-  if (conducts)
+  if (conducts || !all_baths) // there the noise of conduction serves for acceptance
     step.noise.push_back(wall_heat_noise.of(second));
   else
     step.conserves.insert(step.conserves.end(), {internal_energies, entropies});
@@ -173,11 +176,13 @@ SubStep wall_friction(System const& system, double dt, bool second) {
     NoiseSource const of_friction(on.seed, wall_friction_noise.of(second), on.step),
         of_heat(on.seed, wall_heat_noise.of(second), on.step);
     for (auto& wall : on.walls)
-      if (wall.friction.acts) {
+      if (wall.friction.acts && wall.friction.bath) {
         give(on, wall, [&](std::size_t k) { return rub(on, wall, k, dt, of_friction); });
         if (conducts)
           warm(on, wall, dt, of_heat);
-      }
+      } else if (wall.friction.acts)
+        give(on, wall,
+             [&](std::size_t k) { return rub_without_bath(on, wall, k, dt, of_friction, of_heat); });
   };
   return step;
 }

@@ -13,6 +13,7 @@ struct PairFluid {
   AnyPotential potential;
   AnyWeightFunction friction; ///< friction coefficients at the set temperature
 
+  static constexpr bool reacts() { return false; }
   double friction_cutoff() const;
   /// The customary units of DPD: m, the friction's cut-off and k_B T are one.
   ReducedUnits units(SimulationSettings const& at) const;

@@ -2,6 +2,7 @@
 #include "sdpd/conduction/heat_conduction.hpp"
 #include "sdpd/friction/list.hpp"
 #include "sdpd/kernel/list.hpp"
+#include "sdpd/kinetics/list.hpp"
 #include "sdpd/potential/list.hpp"
 #include "sdpd/state/species.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
@@ -18,6 +19,7 @@ struct MethodParts {
   AnyPairLaw law; ///< friction and noise
   AnyConduction conduction;
   double boltzmann;
+  std::optional<Reaction> reaction = {};
 };
 
 } // namespace mesobridge::sdpd

@@ -1,6 +1,7 @@
 #include "sdpd/method/sdpd.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/thermodynamics/particle_eos.hpp"
+#include "sdpd/thermodynamics/reacting.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -42,11 +43,31 @@ void check_size(double K, fitting::AnyEos const& eos, CentreOfMass centre_of_mas
 std::unique_ptr<Thermodynamics const> thermodynamics_of(Sdpd const& fluid, SimulationSettings const& at) {
   auto const units = fluid.units(at);
   auto const centre_of_mass = centre_of_mass_of(fluid, at);
+  if (fluid.reaction)
+    return make_reacting_thermodynamics(
+        {fluid.eos, fluid.reaction->product, fluid.reaction->additive_volumes}, units, centre_of_mass);
   if (fluid.species.empty())
     return make_thermodynamics(fluid.eos, units, centre_of_mass);
   return mixture_of(fluid.species, [&](SdpdSpecies const& of) {
     return make_thermodynamics(of.eos, units, centre_of_mass, {of.K, mass_of(of) / units.mass()});
   });
+}
+
+void check_reaction(Sdpd const& fluid) {
+  auto const& reaction = *fluid.reaction;
+  require(fluid.species.empty(), "species of a fluid that reacts", fluid.species.size(),
+          "must be one: every region has the fluid's equation of state and size");
+  require(any_number.contains(reaction.heat), "heat of reaction", reaction.heat, any_number.demand());
+  require(reaction.shares.contains(reaction.progress), "progress of the reaction", reaction.progress,
+          reaction.shares.demand());
+}
+
+std::optional<Reaction> reaction_of(Sdpd const& fluid, ReducedUnits const& units) {
+  if (!fluid.reaction)
+    return std::nullopt;
+  auto const in_units = [&](auto const& law) { return AnyKinetics(law.in_units(units)); };
+  return Reaction{std::visit(in_units, fluid.reaction->kinetics),
+                  fluid.reaction->heat / units.specific_energy(), fluid.reaction->integrator};
 }
 
 } // namespace
@@ -89,6 +110,8 @@ void Sdpd::check(SimulationSettings const& at) const {
   make_kernel(kernel, h_factor);
   friction_of(*this, units(at));
   require(not_negative.contains(kappa), "thermal conductivity kappa", kappa, not_negative.demand());
+  if (reaction)
+    check_reaction(*this);
 }
 
 MethodParts Sdpd::parts(SimulationSettings const& at) const {
@@ -104,7 +127,8 @@ MethodParts Sdpd::parts(SimulationSettings const& at) const {
           .law = SdpdLaw{friction_of(*this, reduced), k_B},
           .conduction = conducts() ? AnyConduction(SdpdConduction{kappa / reduced.conductivity(), k_B})
                                    : std::monostate(),
-          .boltzmann = 1 / K};
+          .boltzmann = 1 / K,
+          .reaction = reaction_of(*this, reduced)};
 }
 
 } // namespace mesobridge::sdpd

@@ -2,7 +2,9 @@
 #include "fitting/eos/list.hpp"
 #include "md/number_range.hpp"
 #include "sdpd/method/parts.hpp"
+#include "sdpd/method/reaction.hpp"
 #include "sdpd/method/species.hpp"
+#include <optional>
 #include <string>
 
 namespace mesobridge::sdpd {
@@ -36,12 +38,14 @@ struct Sdpd {
   /// units.
   std::vector<SdpdSpecies> species = {};
   DensitySum density_sum = DensitySum::mass; ///< of species of unlike masses
+  std::optional<SdpdReaction> reaction = {}; ///< of particles of one species
 
   ReducedUnits units(SimulationSettings const& at) const;
   double unit_spacing(SimulationSettings const&) const { return 1; }
   double range(SimulationSettings const& at) const;
   double usual_skin(SimulationSettings const& at) const;
   bool conducts() const { return kappa > 0; }
+  bool reacts() const { return reaction.has_value(); }
   void check(SimulationSettings const& at) const;
   MethodParts parts(SimulationSettings const& at) const;
 };

@@ -38,6 +38,7 @@ Features SimulationSettings::features() const {
       [&](auto const& of) {
         Features features = of.features;
         features.masses = !of.species.empty();
+        features.reacts = of.reacts();
         features.walls = has_walls(faces), features.rough_walls = has_rough_walls(faces);
         features.body_force = body_force.acts();
         return features;
@@ -71,6 +72,13 @@ void check_species(std::vector<AnySpecies> const& species, bool are_drawn) {
     sum += of.share;
   }
   require(!are_drawn || species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
+}
+
+void check_baths(SimulationSettings const& s) {
+  for (auto const& pair : s.faces)
+    for (auto const& face : pair)
+      require(face.friction.bath || s.features().energies, "bath of a wall", "none",
+              "particles without internal energies have no other place for the heat of friction");
 }
 
 /// The momenta of a single particle cannot have a temperature and no sum.
@@ -130,6 +138,7 @@ void check(SimulationSettings const& s) {
           s.disorders.demand() + " lattice spacings");
   check_lattice(s);
   check(s.faces);
+  check_baths(s);
   check_body_force(s);
   require(not_negative.contains(s.bath_rate), "rate of the bath", s.bath_rate, not_negative.demand());
   require(s.noise || s.bath_rate == 0, "rate of the bath", s.bath_rate, "must be 0 without noise");

@@ -36,6 +36,9 @@ inline bool without_walls(Features const& has) {
 inline bool with_walls(Features const& has) {
   return has.walls;
 }
+inline bool with_reaction(Features const& has) {
+  return has.reacts;
+}
 inline bool without_densities(Features const& has) {
   return !has.densities;
 }

@@ -22,7 +22,11 @@ Observation observe(System const& system) {
       sum.internal += particles.eps[i], sum.T_int += densities ? particles.T[i] : 1 / particles.T[i];
     if (densities)
       sum.rho += particles.rho[i];
+    if (system.reaction)
+      sum.chemical += m * (1 - particles.progress[i]) * system.reaction->heat,
+          sum.progress += m * particles.progress[i];
   }
+  sum.progress /= mass;
   double const count = static_cast<double>(n), volume = system.volume();
   double const thermal = sum.kinetic - 0.5 * norm2(sum.momentum) / mass; // without the motion of the whole
   sum.T_kin = 2 * thermal / (3 * (count - 1) * system.boltzmann);

@@ -9,6 +9,7 @@ struct Observation {
   double kinetic = 0;   ///< sum p^2/2m
   double internal = 0;  ///< sum eps
   double potential = 0; ///< of the pair potential
+  double chemical = 0;  ///< that a reaction has still to give
   double wall_work = 0; ///< done on the fluid by its walls so far
   double given = 0;     ///< to the fluid from outside so far: that work, the walls' heat, the body force's work
   double T_kin =
@@ -18,10 +19,11 @@ struct Observation {
   double T_int = 0;
   double P = 0;   ///< N k_B T_kin / V + virial / 3V
   double rho = 0; ///< mean of the particles' densities; mass per volume where they have none
+  double progress = 0; ///< of a reaction, the mean over the mass
   Vec3 momentum;  ///< total
 
   /// What is conserved: the total energy, less what has come from outside.
-  double energy() const { return kinetic + internal + potential - given; }
+  double energy() const { return kinetic + internal + potential + chemical - given; }
 };
 
 /// Sums in the order of the ids, so that the result does not depend on the threads nor on the order in

@@ -27,13 +27,17 @@ struct SteadyShock {
   cg::Estimate v_S, rho, P, T;
   std::vector<double> times, fronts; ///< of the frames that were taken
   std::size_t first = 0;             ///< the first of them
+  cg::Estimate v_S_gibbs;            ///< of Gibbs's surface in place of the half-height crossing
 };
 
 /// From the frames in which the front is further than 40 spacings from the piston, so that the start is left
 /// behind, and than 10 from the far end. The state behind is the mean over the slices from 15 spacings before
 /// the piston, where the start has left its trace, to 12 behind the front. The velocity is the slope of a
-/// straight line; neighbouring frames see the same matter, so that all errors come from the means of six
-/// blocks of frames. Nothing for fewer than 12 such frames.
+/// straight line of the last half-height crossing, and beside it that of Gibbs's surface (sdpd/README.md, Eq.
+/// (S58)), whose states ahead and behind are those of the same frames. Neighbouring frames see the same
+/// matter, so that their errors come from six blocks of frames, and those of the state from these or, where
+/// they are larger, from the differences between parts of the matter behind the front, 5 spacings each, that
+/// moves on with the piston. Nothing for fewer than 12 such frames.
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale);
 
 } // namespace mesobridge::sdpd

@@ -11,12 +11,13 @@ bool with_rough_walls(Features const& has) {
   return has.rough_walls;
 }
 
-/// A number of the lower wall and one of the upper, 0 where there is none.
+/// A number of the lower wall and one of the upper, 0 where there is none; with walls across several axes the
+/// sum over the lower and that over the upper ones.
 template <class F>
 std::vector<double> of_walls(System const& system, F const& f) {
   std::vector<double> values(2);
   for (auto const& wall : system.walls)
-    values[wall.upper] = f(wall);
+    values[wall.upper] += f(wall);
   return values;
 }
 
@@ -24,21 +25,24 @@ std::vector<double> of_walls(System const& system, F const& f) {
 
 Measurement wall_pressure() {
   return {.name = "wall_pressure",
-          .meaning = "force per area that pushes each wall out of the fluid, without that of its motion",
+          .meaning = "force per area that pushes each wall out of the fluid, without that of its motion; with "
+                     "walls across several axes a mean over the lower and one over the upper ones",
           .components = lower_and_upper,
           .dimension = Dimension::pressure,
           .exists = with_walls,
           .values = [](System const& system) {
+            auto const area = of_walls(system, [&](Wall const& wall) {
+              return system.box.volume() / component(system.box.edge, wall.axis);
+            });
             return of_walls(system, [&](Wall const& wall) {
-              double const area = system.box.volume() / component(system.box.edge, wall.axis);
-              return (wall.upper ? -1 : 1) * wall.force / area;
+              return (wall.upper ? -1 : 1) * wall.force / area[wall.upper];
             });
           }};
 }
 
 Measurement wall_work() {
   return {.name = "wall_work",
-          .meaning = "energy that each wall has given to the fluid",
+          .meaning = "energy that the lower and the upper walls have given to the fluid",
           .components = lower_and_upper,
           .dimension = Dimension::energy,
           .exists = with_walls,
@@ -49,7 +53,7 @@ Measurement wall_work() {
 
 Measurement wall_drag() {
   return {.name = "wall_drag",
-          .meaning = "momentum that the friction of each wall has given to the fluid so far",
+          .meaning = "momentum that the friction of the lower and the upper walls has given to the fluid so far",
           .components = vectors_of_both,
           .dimension = Dimension::momentum,
           .exists = with_rough_walls,
@@ -57,14 +61,14 @@ Measurement wall_drag() {
             std::vector<double> values(6);
             for (auto const& wall : system.walls)
               for (int axis = 0; axis < 3; ++axis)
-                values[3 * wall.upper + static_cast<std::size_t>(axis)] = component(wall.drag, axis);
+                values[3 * wall.upper + static_cast<std::size_t>(axis)] += component(wall.drag, axis);
             return values;
           }};
 }
 
 Measurement wall_heat() {
   return {.name = "wall_heat",
-          .meaning = "heat that has come from each wall into the fluid so far",
+          .meaning = "heat that has come from the lower and the upper walls into the fluid so far",
           .components = lower_and_upper,
           .dimension = Dimension::energy,
           .exists = with_rough_walls,

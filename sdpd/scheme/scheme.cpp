@@ -4,6 +4,7 @@
 #include "sdpd/conservative/body_force.hpp"
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/fluctuation/conduction.hpp"
+#include "sdpd/reaction/reaction.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/system/conservation.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
@@ -77,6 +78,8 @@ std::vector<SubStep> exchange(Scheme const& scheme, System const& system, double
       steps.push_back(temperatures());
     steps.push_back(wall_friction(system, dt, second));
   }
+  if (system.reaction)
+    steps.insert(steps.end(), {temperatures(), reaction(system, dt)});
   if (second)
     std::ranges::reverse(steps);
   if (scheme.keep_energy)

@@ -17,6 +17,8 @@ struct Checkpoint {
   /// Where walls have friction or there is a body force: impulse (x, y, z) of the friction and heat of each
   /// wall, the body force's work and the heat of its sink.
   std::vector<double> flow = {};
+  /// Where particles react: the time since the reaction began.
+  std::vector<double> reaction = {};
 };
 
 } // namespace mesobridge::sdpd

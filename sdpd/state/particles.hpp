@@ -1,6 +1,7 @@
 #pragma once
 #include "md/box.hpp"
 #include "md/dimension.hpp"
+#include "md/number_range.hpp"
 #include "sdpd/state/caloric.hpp"
 #include <array>
 #include <cstdint>
@@ -16,6 +17,7 @@ struct Features {
   bool energies = true;  ///< SDPD, DPDE
   bool densities = true; ///< SDPD; without them temperatures average harmonically
   bool masses = false;   ///< several species: each particle has a mass of its own
+  bool reacts = false;   ///< a reactant becomes a product
   bool walls = false;    ///< the box has some
   bool rough_walls = false; ///< with friction
   bool body_force = false;
@@ -36,6 +38,8 @@ struct Particles {
   std::vector<double> T;              ///< internal temperature
   std::vector<double> P;              ///< pressure
   std::vector<double> mass;
+  std::vector<double> progress; ///< lambda, the product's share of the mass, of what reacts
+  std::vector<double> log_density_ratio; ///< ln(rho_1/rho_0) of product and reactant in what is a mixture
   std::vector<Vec3> f; ///< conservative force
   std::vector<Caloric> caloric;
 
@@ -55,7 +59,7 @@ struct Field {
   bool checkpointed = false; ///< a run cannot go on without it: the others follow from these
   bool written = false;      ///< in trajectories, and histograms may count it
   bool profiled = false;     ///< profiles may show its mean over a slice, under its own name
-  bool positive = false;     ///< no other value makes sense
+  NumberRange range = any_number; ///< no other value makes sense
 };
 
 inline constexpr std::array fields{
@@ -81,7 +85,7 @@ inline constexpr std::array fields{
           .feature = &Features::energies,
           .checkpointed = true,
           .written = true,
-          .positive = true},
+          .range = positive},
     Field{.name = "P",
           .values = &Particles::P,
           .dimension = Dimension::pressure,
@@ -91,7 +95,20 @@ inline constexpr std::array fields{
           .values = &Particles::mass,
           .dimension = Dimension::mass,
           .feature = &Features::masses,
-          .positive = true},
+          .range = positive},
+    Field{.name = "progress",
+          .values = &Particles::progress,
+          .dimension = Dimension::number,
+          .feature = &Features::reacts,
+          .checkpointed = true,
+          .written = true,
+          .profiled = true,
+          .range = {.min = 0, .max = 1}},
+    Field{.name = "log_density_ratio",
+          .values = &Particles::log_density_ratio,
+          .dimension = Dimension::number,
+          .feature = &Features::reacts,
+          .checkpointed = true},
 };
 
 inline void Particles::resize(std::size_t n, Features const& has) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/conduction/heat_conduction.hpp"
 #include "sdpd/friction/list.hpp"
+#include "sdpd/kinetics/list.hpp"
 #include "sdpd/neighbours/neighbours.hpp"
 #include "sdpd/potential/list.hpp"
 #include "sdpd/state/body_force.hpp"
@@ -17,6 +18,11 @@ namespace mesobridge::sdpd {
 /// Everything that the sub-steps of a scheme work on: particles of one species or several in a box,
 /// in reduced units (sdpd/README.md, Eq. (S1)), where the mass is 1 and k_B = 1/K.
 struct System {
+  /// What a reaction begins from, in each part of a time step.
+  struct ReactionStart {
+    std::vector<double> progress, eps;
+  };
+
   Box box;
   std::vector<Species> species;                         ///< none for one species of mass 1
   std::vector<std::uint32_t> species_of_id;             ///< empty then
@@ -28,8 +34,10 @@ struct System {
   AnyPairLaw law;                                       ///< friction and noise
   AnyConduction conduction;                             ///< of heat, SDPD and DPDE
   Neighbours neighbours;
-  std::vector<Wall> walls; ///< at those faces of the box that have one
+  std::vector<Wall> walls;         ///< at those faces of the box that have one
+  std::vector<WallCorner> corners; ///< where walls of several axes meet
   BodyForce body_force;
+  std::optional<Reaction> reaction; ///< that turns the particles from reactant into product
   Particles particles;
   double boltzmann;
   std::uint64_t seed;
@@ -40,6 +48,7 @@ struct System {
   bool walls_held = false;          ///< they wait, and so do their time and the body force
   double body_work = 0;             ///< done on the fluid by the body force
   double sink_heat = 0;             ///< given to the fluid where Scheme::keep_energy takes that work out
+  double reaction_time = 0;         ///< since the reaction began
   double virial = 0;                ///< sum over pairs of f_ij . r_ij at the last evaluation of the forces
   std::uint64_t renewals = 0;       ///< of the lists, since the start
   PairCounts pair_counts;           ///< since the start
@@ -49,6 +58,8 @@ struct System {
   std::vector<double> block_virial; ///< parts of both, kept so that no step allocates
   std::vector<double> block_energy;
   std::vector<double> energy_gain; ///< of the particles since their caloric expansions began, during a sweep
+  std::vector<Rates> rates;        ///< of the reaction, in the part of a time step under way
+  ReactionStart reaction_start;
   std::vector<Vec3> impulse;       ///< given to the particles by a sweep of SER
 
   std::size_t size() const { return particles.size(); }

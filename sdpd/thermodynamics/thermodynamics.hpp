@@ -19,6 +19,15 @@ struct ThermalState {
   double T, S, inverse_C;
 };
 
+/// What becomes of a mixture whose parts come to the end of their balance (sdpd/README.md, Eqs. (S66),
+/// (S67)).
+enum class MixtureFate {
+  goes_on,
+  burns_up,           ///< what is left of its reactant burns at once
+  counts_as_reactant, ///< the trace of product in it does not count for the time being
+  mixes_again         ///< it counts again
+};
+
 /// What the engine asks of the particles' equation of state, for a range of particles with one virtual call.
 /// Everything in reduced units. A state that the model does not have is reported to `failure` under the
 /// particle's id; the others go on.
@@ -45,6 +54,9 @@ class Thermodynamics {
   virtual std::optional<double> constant_heat_capacity() const = 0;
   /// Of particle i at its temperature.
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
+
+  /// What has to become of particle i, which reacts, so that it has a state next time, too.
+  virtual MixtureFate fate(Particles const&, Index) const { return MixtureFate::goes_on; }
 };
 
 /// What a particle's equation of state says of its centre of mass, whose kinetic energy (3/2) k_B T and

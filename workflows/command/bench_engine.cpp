@@ -17,7 +17,7 @@ struct Options {
   double neighbours = 62;
   std::uint32_t side = 22, along = 0, fluctuate_every = 1;
   bool faces = false;
-  double K = 100, kappa = 0;
+  double K = 100, kappa = 0, progress = 0.5;
   int steps = 20, repeats = 5;
 };
 
@@ -30,7 +30,27 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::
           .threads = threads};
 }
 
+/// Compressed and hot nitromethane that is burnt to a part, and burns so slowly that it stays so.
+sdpd::SimulationSettings burning_nitromethane(Options const& options, int threads) {
+  auto settings =
+      settings_of(options, threads,
+                  sdpd::Sdpd{.eos = fitting::material("nitromethane").eos,
+                             .K = options.K,
+                             .kernel = options.kernel,
+                             .eta = 2e-3,
+                             .kappa = options.kappa,
+                             .reaction = sdpd::SdpdReaction{
+                                 .product = fitting::material("nitromethane-products").eos,
+                                 .heat = 4.7159e6,
+                                 .kinetics = sdpd::SecondOrder{{1e6, 3e-19}, {}},
+                                 .progress = options.progress}});
+  settings.rho = 1700, settings.T = 2500, settings.dt = 0.02;
+  return settings;
+}
+
 sdpd::SimulationSettings make(std::type_identity<sdpd::Sdpd>, Options const& options, int threads) {
+  if (options.eos == "burning-nitromethane")
+    return burning_nitromethane(options, threads);
   bool const ideal = options.eos == "ideal-gas";
   auto settings = settings_of(options, threads,
                               sdpd::Sdpd{.eos = ideal ? fitting::AnyEos(fitting::IdealGas(1e-25))
@@ -129,7 +149,10 @@ void declare(CLI::App& app, Options& options) {
   add_choice(app, "--scheme", options.scheme, sdpd::pair_integrator_names(), "time-stepping scheme");
   add_bounded(app, "--fluctuate-every", options.fluctuate_every, 1, 1000,
               "conservative steps for one of fluctuation and dissipation");
-  add_choice(app, "--eos", options.eos, {"ideal-gas", "argon"}, "equation of state");
+  add_choice(app, "--eos", options.eos, {"ideal-gas", "argon", "burning-nitromethane"},
+             "equation of state; the last: particles of reactant and product, whose mixture is solved");
+  add_bounded(app, "--progress", options.progress, 0.0, 1.0,
+              "of burning-nitromethane; 0 and 1: pure particles, which look at their kinetics alone");
   add_choice(app, "--kernel", options.kernel, sdpd::kernel_names(), "smoothing kernel of sdpd");
   add_bounded(app, "--kappa", options.kappa, 0.0, 1e3,
               "conduction: sdpd's thermal conductivity in W/(m K), dpde's pair coefficient in reduced "

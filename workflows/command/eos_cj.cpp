@@ -33,7 +33,7 @@ Result chapman_jouguet(DetonationOptions const& options, Context const& context)
   result.json = {{"reactant", options.reactant}, {"product", options.product}};
   put_first_row(result.json, columns, reduced);
   result.json["q" + std::string(reduced ? "" : "_J_kg")] = options.q;
-  result.json["P0" + std::string(reduced ? "" : "_Pa")] = options.P0;
+  result.json["P0" + std::string(reduced ? "" : "_Pa")] = options.P0.value_or(0);
   result.json["tangency_error"] = checks.tangency;
   result.json["least_excess_of_D_nearby"] = checks.neighbours;
   put_first_row(result.json["reactant_model_at_rest"], state_columns({explosive.at_rest}), reduced);
@@ -42,7 +42,7 @@ Result chapman_jouguet(DetonationOptions const& options, Context const& context)
       lines_text(columns, reduced) +
       fmt::format("From the pressure {:.6g} that the reactant's model has at rest instead of {:.6g}: "
                   "D = {:.6g}\n",
-                  explosive.at_rest.P, options.P0, *at_model_pressure[0].values[0]);
+                  explosive.at_rest.P, options.P0.value_or(0), *at_model_pressure[0].values[0]);
   return result;
 }
 

@@ -23,6 +23,9 @@ Command::Action eos_list_command(CLI::App&);
 Command::Action eos_hugoniot_command(CLI::App&);
 Command::Action eos_crussard_command(CLI::App&);
 Command::Action eos_cj_command(CLI::App&);
+Command::Action eos_znd_command(CLI::App&);
+Command::Action eos_explosion_command(CLI::App&);
+Command::Action eos_induction_command(CLI::App&);
 Command::Action eos_isentrope_command(CLI::App&);
 Command::Action eos_profile_command(CLI::App&);
 Command::Action eos_riemann_command(CLI::App&);
@@ -56,7 +59,7 @@ std::vector<Command> commands() {
        .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
        .declare = md_hugoniot_command},
       {.name = "md piston-shock",
-       .summary = "A piston that drives a shock into Lennard-Jones argon, with LAMMPS",
+       .summary = "A piston that drives a shock into Lennard-Jones argon or a metal, with LAMMPS",
        .example = "mesobridge md piston-shock --rho0 1150 --T0 500 --vp 500 -o out/md-shock",
        .declare = md_piston_shock_command},
       {.name = "md star-melt",
@@ -115,6 +118,24 @@ std::vector<Command> commands() {
            "mesobridge eos cj --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 "
            "--q 4.716e6",
        .declare = eos_cj_command},
+      {.name = "eos znd",
+       .summary = "The reaction zone of a detonation: spike, profile, length (-o FILE.csv, .svg or .html)",
+       .example =
+           "mesobridge eos znd --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 "
+           "--q 4.716e6 --Z 1e15 --Ea 3e-19 -o zone.svg",
+       .declare = eos_znd_command},
+      {.name = "eos explosion",
+       .summary = "The state after an explosion at constant volume, complete or not",
+       .example = "mesobridge eos explosion --reactant nitromethane --product nitromethane-products --rho0 "
+                  "1104 --T0 "
+                  "300 --q 4.716e6",
+       .declare = eos_explosion_command},
+      {.name = "eos induction",
+       .summary = "Time to explosion of a hot or shocked explosive; where a detonation overtakes the shock",
+       .example = "mesobridge eos induction --reactant nitromethane --product nitromethane-products --rho0 "
+                  "1104 --T0 "
+                  "300 --q 4.716e6 --Z 1e15 --Ea 3e-19 --vp 1764",
+       .declare = eos_induction_command},
       {.name = "eos isentrope",
        .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
        .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",

@@ -1,10 +1,12 @@
 #include "md/error.hpp"
+#include "md/quasiharmonic_metal.hpp"
 #include "md/units.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
 #include "workflows/lj/piston_file.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_piston.hpp"
+#include "workflows/metal/hugoniot_reference.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/shock.hpp"
@@ -17,51 +19,106 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  std::string preset = "quick";
-  double rho0 = 1150, T0 = 500, v_P = 500; // SI
+  std::string preset = "quick", metal, element, lattice;
+  std::optional<double> rho0, T0, v_P; // SI
+  std::optional<std::string> hugoniot;
   std::optional<int> cells_across, cells_along;
   std::optional<double> cutoff;
   std::optional<std::int64_t> steps;
   bool started_by_ourselves = false;
 };
 
+/// The fluid or crystal ahead, and its piston, in SI.
+struct Ahead {
+  double rho0, T0, v_P;
+  double mass; ///< of an atom
+};
+
+/// A run that is planned, with what it starts from.
+struct Plan {
+  PistonJob job;
+  Ahead ahead;
+};
+
 /// Until the front, of the velocity that Kolafa and Nezbeda's equation gives it, has come near the far end.
-std::int64_t usual_steps(Options const& options, md::LjPistonSettings const& settings) {
+std::int64_t usual_steps(Ahead const& ahead, md::LjPistonSettings const& settings) {
   try {
-    auto const shock = argon_shock("lj-kn", options.rho0, options.T0, options.v_P);
+    auto const shock = argon_shock("lj-kn", ahead.rho0, ahead.T0, ahead.v_P);
     return settings.steps(shock.v_S / argon_units.velocity());
   } catch (PhysicsError const& error) {
-    throw InputError(fmt::format("--vp = {:g}: {}; give --steps", options.v_P, error.what()));
+    throw InputError(fmt::format("--vp = {:g}: {}; give --steps", ahead.v_P, error.what()));
   }
 }
 
-LjPistonJob job_of(Options const& options, Context const& context) {
-  LjPistonJob job{.settings = argon_piston(preset_of(options.preset), options.rho0, options.T0, options.v_P),
-                  .directory = {}};
-  auto& settings = job.settings;
+/// What both kinds of runs may be told otherwise.
+template <class Settings>
+void take_sizes(Settings& settings, Options const& options, Context const& context) {
   settings.cells_across = options.cells_across.value_or(settings.cells_across);
   settings.cells_along = options.cells_along.value_or(settings.cells_along);
-  settings.cutoff = options.cutoff.value_or(settings.cutoff);
   settings.seed = context.options.seed.value_or(settings.seed);
   md::check(settings);
-  job.steps = options.steps ? *options.steps : usual_steps(options, settings);
-  require(job.steps >= settings.sample_every, "--steps", job.steps,
-          fmt::format("must be at least {}: as many lie between two samples", settings.sample_every));
-  job.directory = context.output_directory("out/piston-shock");
-  settings.log_file = job.directory / "lammps.log";
-  return job;
 }
 
-/// The shock by the equations of state that know the fluid there; none elsewhere.
-std::vector<NamedShock> equations(Options const& options) {
+Plan argon_plan(Options const& options, Context const& context, std::filesystem::path const& log_file) {
+  for (auto const& [name, value] : {std::pair("--element", options.element), {"--lattice", options.lattice}})
+    require(value.empty(), name, value, "needs --metal");
+  require(!options.hugoniot, "--hugoniot", options.hugoniot.value_or(""), "needs --metal");
+  Ahead const ahead{options.rho0.value_or(1150), options.T0.value_or(500), options.v_P.value_or(500),
+                    argon_units.mass};
+  auto settings = argon_piston(preset_of(options.preset), ahead.rho0, ahead.T0, ahead.v_P);
+  settings.cutoff = options.cutoff.value_or(settings.cutoff);
+  settings.log_file = log_file;
+  take_sizes(settings, options, context);
+  auto const steps = options.steps ? *options.steps : usual_steps(ahead, settings);
+  return {{.settings = settings, .steps = steps, .directory = {}}, ahead};
+}
+
+Plan metal_plan(Options const& options, Context const& context, std::filesystem::path const& log_file) {
+  require(!options.cutoff, "--cutoff", options.cutoff.value_or(0),
+          "must not be given: the potential has its own");
+  auto const potential = md::read_metal_potential(options.metal, options.element);
+  auto const lattice = options.lattice.empty() ? potential.lattice : md::lattice_of(options.lattice);
+  Ahead ahead{options.rho0.value_or(0), options.T0.value_or(300), options.v_P.value_or(1500), potential.mass};
+  md::QuasiharmonicMetal metal(md::MpiWorld(),
+                               {.potential = potential, .lattice = lattice, .log_file = log_file});
+  if (!options.rho0)
+    ahead.rho0 = metal.zero_pressure_density(ahead.T0);
+  md::MetalState const state{ahead.rho0, ahead.T0};
+  auto settings =
+      md::metal_piston_settings(preset_of(options.preset), potential, lattice, state, ahead.v_P, log_file);
+  take_sizes(settings, options, context);
+  auto const usual = [&] {
+    double const compression = metal.compression(state, ahead.v_P);
+    return settings.steps(ahead.v_P * compression / (compression - 1));
+  };
+  auto const steps = options.steps ? *options.steps : usual();
+  return {{.settings = settings, .steps = steps, .directory = {}}, ahead};
+}
+
+Plan plan_of(Options const& options, Context const& context) {
+  auto const directory = context.output_directory("out/piston-shock");
+  auto const log_file = directory / "lammps.log";
+  auto plan =
+      options.metal.empty() ? argon_plan(options, context, log_file) : metal_plan(options, context, log_file);
+  plan.job.directory = directory;
+  auto const sample_every = std::visit([](auto const& of) { return of.sample_every; }, plan.job.settings);
+  require(plan.job.steps >= sample_every, "--steps", plan.job.steps,
+          fmt::format("must be at least {}: as many lie between two samples", sample_every));
+  return plan;
+}
+
+/// The shock of argon by the equations of state that know the fluid there; none elsewhere, and for metals.
+std::vector<NamedShock> equations(Options const& options, Ahead const& ahead) {
+  if (!options.metal.empty())
+    return {};
   try {
-    return argon_shocks(options.rho0, options.T0, options.v_P);
+    return argon_shocks(ahead.rho0, ahead.T0, ahead.v_P);
   } catch (PhysicsError const&) {
     return {};
   }
 }
 
-std::string text_of(LjPistonData const& data, std::optional<ShockOfRun> const& shock,
+std::string text_of(PistonData const& data, std::optional<ShockOfRun> const& shock,
                     std::vector<NamedShock> const& exact) {
   auto text = data.description + "\n";
   if (!shock)
@@ -76,22 +133,32 @@ std::string text_of(LjPistonData const& data, std::optional<ShockOfRun> const& s
   return text;
 }
 
-Report report_of(Options const& options, LjPistonData const& data, std::optional<ShockOfRun> const& shock,
-                 std::vector<NamedShock> const& exact, Provenance provenance) {
-  Report report{.title = "A piston in argon by molecular dynamics",
-                .lead = data.description + ". Temperatures are those of the motion across, pressures P_zz "
-                                           "without a tail beyond the cut-off.",
+OutputUnits units_of(Ahead const& ahead) {
+  return {{1, ahead.mass, ahead.rho0, ahead.T0, k_B}, UnitSystem::SI};
+}
+
+Report report_of(Options const& options, Ahead const& ahead, PistonData const& data,
+                 std::optional<ShockOfRun> const& shock, std::vector<NamedShock> const& exact,
+                 Provenance provenance) {
+  bool const metal = !options.metal.empty();
+  Report report{.title = metal ? "A piston in a metal by molecular dynamics"
+                               : "A piston in argon by molecular dynamics",
+                .lead = data.description + ". Temperatures are those of the motion across, pressures P_zz" +
+                        (metal ? "." : " without a tail beyond the cut-off."),
                 .verdicts = {},
                 .sections = {},
                 .provenance = std::move(provenance),
-                .sources = {"Johnson et al. 1993", "Kolafa and Nezbeda 1994", "Thol et al. 2016",
-                            "Thompson et al. 2022"}};
+                .sources = {"Thompson et al. 2022"}};
+  if (!metal)
+    report.sources = {"Johnson et al. 1993", "Kolafa and Nezbeda 1994", "Thol et al. 2016",
+                      "Thompson et al. 2022"};
   if (!shock) {
     report.warnings.push_back("There is no steady shock: the box is too short, or the run.");
     return report;
   }
-  OutputUnits const units({1, argon_units.mass, options.rho0, options.T0, k_B}, UnitSystem::SI);
-  report.sections.push_back(shock_section(*shock, units));
+  report.sections.push_back(shock_section(*shock, units_of(ahead)));
+  if (exact.empty())
+    return report;
   std::vector<ShownRow> rows;
   auto const row = md_row(data, *shock);
   rows.push_back({"MD", row, ""});
@@ -104,39 +171,64 @@ Report report_of(Options const& options, LjPistonData const& data, std::optional
 }
 
 Result piston_shock(Options const& options, Context const& context) {
-  auto const job = job_of(options, context); // before any rank starts: bad input is told once
-  keep_earlier_results(
-      context, options.started_by_ourselves, job.directory,
-      {job.file(), job.settings.log_file, job.directory / "summary.json", job.directory / "report.html"});
+  auto const [job, ahead] = plan_of(options, context); // before any rank starts: bad input is told once
+  std::optional<HugoniotReference> reference;
+  if (options.hugoniot)
+    reference = read_hugoniot_reference(*options.hugoniot, ahead.rho0, ahead.v_P);
+  keep_earlier_results(context, options.started_by_ourselves, job.directory,
+                       {job.file(), job.directory / "lammps.log", job.directory / "summary.json",
+                        job.directory / "report.html"});
   if (!work_and_tell(context, options.started_by_ourselves, [&] { sample_piston(job, context); }))
     return told_elsewhere();
-  auto const data = read_lj_piston(job.file());
-  auto const exact = equations(options);
+  auto const data = read_piston(job.file());
+  auto const exact = equations(options, ahead);
   auto shock = shock_in(data.frames, data.scale);
   if (shock && !exact.empty())
     shock->exact = exact.front().shock;
-  Json summary{{"file", job.file().string()},
-               {"settings", data.description},
-               {"atoms", data.atoms},
-               {"steps", job.steps},
-               {"seed", job.settings.seed}};
+  auto const seed = std::visit([](auto const& of) { return of.seed; }, job.settings);
+  Json summary{{"file", job.file().string()}, {"settings", data.description},
+               {"atoms", data.atoms},         {"steps", job.steps},
+               {"rho0_kg_m3", ahead.rho0},    {"T0_K", ahead.T0},
+               {"v_P_m_s", ahead.v_P},        {"seed", seed}};
   if (shock)
-    put_shock(summary, *shock, {{1, argon_units.mass, options.rho0, options.T0, k_B}, UnitSystem::SI});
+    put_shock(summary, *shock, units_of(ahead));
   for (auto const& one : exact)
     summary["equations_of_state"].push_back(
         {{"model", one.key}, {"rankine_hugoniot", shock_json(one.shock)}});
-  auto const report =
-      report_of(options, data, shock, exact, {context.command_line(), job.settings.seed, "", {job.file()}});
+  auto report =
+      report_of(options, ahead, data, shock, exact, {context.command_line(), seed, "", {job.file()}});
+  auto text = text_of(data, shock, exact);
+  if (reference && shock) {
+    summary["hugoniot"] = reference_json(*reference, *shock);
+    report.sections.push_back(reference_section(*reference, *shock));
+    text += reference_text(*reference, *shock);
+  }
   auto result = with_report(job.directory, std::move(summary), report.html());
-  result.text = text_of(data, shock, exact) + result.text;
+  result.text = text + result.text;
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
   add_preset(app, options.preset, "quick (minutes), standard (a quarter of an hour) or paper");
-  app.add_option("--rho0", options.rho0, "Density at rest [kg/m^3]");
-  app.add_option("--T0", options.T0, "Temperature at rest [K]");
-  app.add_option("--vp", options.v_P, "Velocity of the piston [m/s]");
+  app.add_option(
+         "--metal", options.metal,
+         "A metal in place of argon: its embedded-atom potential (.eam, .eam.alloy, .eam.fs), a file, "
+         "or a name in lammps-data; the piston moves along <100>")
+      ->type_name("FILE");
+  app.add_option("--element", options.element, "Element of the potential (default: its only one)")
+      ->type_name("NAME");
+  app.add_option("--lattice", options.lattice, "fcc or bcc (default: the potential's)")->type_name("NAME");
+  app.add_option(
+         "--hugoniot", options.hugoniot,
+         "hugoniot.csv of `md hugoniot` for the same metal from the same --rho0, --T0: compare with it")
+      ->type_name("FILE");
+  app.add_option("--rho0", options.rho0,
+                 "Density at rest [kg/m^3] (default: 1150; of a metal about that of zero pressure)")
+      ->type_name("REAL");
+  app.add_option("--T0", options.T0, "Temperature at rest [K] (default: 500; of a metal 300)")
+      ->type_name("REAL");
+  app.add_option("--vp", options.v_P, "Velocity of the piston [m/s] (default: 500; in a metal 1500)")
+      ->type_name("REAL");
   app.add_option("--cells-across", options.cells_across, "Cells of 4 atoms along x and y")->type_name("INT");
   app.add_option("--cells-along", options.cells_along, "Cells of 4 atoms along z")->type_name("INT");
   app.add_option("--cutoff", options.cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");

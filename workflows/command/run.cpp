@@ -3,6 +3,7 @@
 #include "workflows/folder_lock.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
+#include "workflows/sdpd/film.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -20,7 +21,7 @@ namespace {
 struct Options {
   std::string scene;
   std::vector<std::string> set;
-  bool resume = false, force = false, no_report = false, verbose = false;
+  bool resume = false, force = false, no_report = false, frames = false, verbose = false;
   std::optional<double> max_hours;
 };
 
@@ -124,6 +125,8 @@ Result run(Options const& options, Context& context) {
     overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
   int const threads = threads_of(context);
   Scene const scene = load_run(options.scene, overrides, threads);
+  require(!options.frames || scene.film.quantity, "--frames", "given",
+          "needs a film: give film.quantity, whose value colours the particles");
   auto const directory = results_folder(context.options.output, scene, options.scene);
   refuse_shortages(scene, threads, directory);
   RunFolder const folder(context.output_directory(directory));
@@ -132,6 +135,8 @@ Result run(Options const& options, Context& context) {
     auto const done = run_in(folder, scene, options, context, limit);
     if (!options.no_report)
       write_equilibrium_report(folder.report(), done, context.command_line());
+    if (options.frames)
+      write_film_frames(folder.path(), done.scene, done.settings);
     tell_findings(done, folder.path(), context);
     return result_of(done, options.no_report ? folder.summary() : folder.report(), options.no_report);
   } catch (Interrupted const& stop) {
@@ -160,6 +165,8 @@ void declare(CLI::App& app, Options& options) {
       ->type_name("HOURS")
       ->check(CLI::Range(1e-6, 1e6).description(""));
   app.add_flag("--no-report", options.no_report, "Write no report.html");
+  app.add_flag("--frames", options.frames,
+               "Write the frames of the scene's film as pictures too, frames/frame-0001.png ...");
   app.add_flag("--verbose", options.verbose,
                "Show the lines of thermodynamics that log.txt gets, also on a terminal");
 }

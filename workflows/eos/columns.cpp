@@ -1,5 +1,6 @@
 #include "workflows/eos/columns.hpp"
 #include "md/error.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace mesobridge::workflows {
@@ -93,9 +94,13 @@ std::string csv_text(Columns const& columns, bool reduced) {
 std::string lines_text(Columns const& columns, bool reduced) {
   require_numbers(columns);
   std::string text;
+  constexpr std::size_t least_width = 12;
+  auto const width = std::max(
+      least_width, std::ranges::max(columns, {}, [](auto const& c) { return c.key.size(); }).key.size());
   for (auto const& c : columns)
     if (auto const value = c.values.front())
-      text += fmt::format("{:<12} {:<24} {}\n", c.key, fmt::format("{:.10g}", *value), reduced ? "" : c.unit);
+      text += fmt::format("{:<{}} {:<24} {}\n", c.key, width, fmt::format("{:.10g}", *value),
+                          reduced ? "" : c.unit);
   return text;
 }
 

@@ -1,18 +1,30 @@
 #pragma once
 #include "md/lj_piston.hpp"
+#include "md/metal_piston.hpp"
 #include "sdpd/observe/shock_front.hpp"
 #include "workflows/provenance.hpp"
 
 namespace mesobridge::workflows {
 
-/// The slices of a piston's run by molecular dynamics as they arrive, for argon in SI: profile/time_s,
-/// position_m, velocity_m_s, rho_kg_m3, P_Pa, T_K, number, like the profiles of SDPD's runs. Every row is
-/// flushed: what an interrupted run has told stays readable.
-class LjPistonFile {
+/// What a file of slices has to know of its run, in SI.
+struct PistonRunInfo {
+  std::string description;
+  std::int64_t atoms = 0;
+  int slices = 0;
+  double v_P = 0, spacing = 0, length = 0, rho = 0; ///< rho: ahead of the front
+  /// In which LAMMPS tells the slices.
+  double unit_time = 1, unit_length = 1, unit_velocity = 1, unit_pressure = 1, unit_temperature = 1;
+};
+PistonRunInfo info_of(md::LjPistonSettings const& settings); ///< for argon
+PistonRunInfo info_of(md::MetalPistonSettings const& settings);
+
+/// The slices of a piston's run by molecular dynamics as they arrive, in SI: profile/time_s, position_m,
+/// velocity_m_s, rho_kg_m3, P_Pa, T_K, number, like the profiles of SDPD's runs. Every row is flushed: what
+/// an interrupted run has told stays readable.
+class PistonFile {
  public:
   /// Creates the file. Throws EnvironmentError.
-  LjPistonFile(std::filesystem::path const& file, md::LjPistonSettings const& settings,
-               Provenance const& provenance);
+  PistonFile(std::filesystem::path const& file, PistonRunInfo const& info, Provenance const& provenance);
 
   void append(md::PistonSlices const& slices);
 
@@ -21,11 +33,11 @@ class LjPistonFile {
 
  private:
   Store store_;
-  md::LjPistonSettings settings_;
+  PistonRunInfo info_;
 };
 
 /// What such a file holds: what sdpd::steady_shock takes, in SI.
-struct LjPistonData {
+struct PistonData {
   std::string description; ///< of the run, for people
   std::int64_t atoms = 0;
   bool complete = false; ///< false: the run was interrupted
@@ -34,6 +46,6 @@ struct LjPistonData {
 };
 
 /// Throws InputError if the file is missing or holds something else.
-LjPistonData read_lj_piston(std::filesystem::path const& file);
+PistonData read_piston(std::filesystem::path const& file);
 
 } // namespace mesobridge::workflows

@@ -77,17 +77,17 @@ std::vector<ShockCase> cases_of(std::vector<double> const& viscosities, Reproduc
 /// Molecular dynamics of the same piston, on ranks of its own: MPI stays out of this process. What a finished
 /// run of these settings has left is read; nothing where the shock is not steady.
 std::optional<ShockRow> molecular_dynamics(ReproduceOptions const& options, Context const& context) {
-  LjPistonJob job{.settings = argon_piston(options.preset, rho, T, v_P),
-                  .directory = options.directory / "md"};
-  job.settings.seed = options.seed;
+  auto settings = argon_piston(options.preset, rho, T, v_P);
+  settings.seed = options.seed;
+  PistonJob const job{.settings = settings, .directory = options.directory / "md"};
   std::error_code ignored;
   std::filesystem::create_directories(job.directory, ignored); // writing there says what is wrong
   auto const there = [&] {
-    auto data = read_lj_piston(job.file());
-    return data.complete && data.description == job.settings.description() ? std::optional(std::move(data))
-                                                                           : std::nullopt;
+    auto data = read_piston(job.file());
+    return data.complete && data.description == settings.description() ? std::optional(std::move(data))
+                                                                       : std::nullopt;
   };
-  std::optional<LjPistonData> data;
+  std::optional<PistonData> data;
   if (std::filesystem::exists(job.file()))
     data = there();
   if (!data) {

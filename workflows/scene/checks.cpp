@@ -5,8 +5,10 @@
 #include "sdpd/scheme/list.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/box_checks.hpp"
+#include "workflows/scene/driven.hpp"
 #include "workflows/scene/pair_checks.hpp"
 #include "workflows/scene/quantities.hpp"
+#include "workflows/scene/reaction_checks.hpp"
 #include "workflows/scene/region_checks.hpp"
 #include "workflows/scene/wish.hpp"
 #include <algorithm>
@@ -52,6 +54,10 @@ void check_fluid(Scene const& scene, Places const& places) {
   auto const& fluid = scene.fluid;
   check_model(scene, places, fluid.eos, "fluid.eos", scene.particles.K, "particles.K");
   bool ideal = fluid.eos == "ideal-gas";
+  if (auto const& product = scene.reaction.product) {
+    check_model(scene, places, *product, "reaction.product", scene.particles.K, "particles.K");
+    ideal = ideal || *product == "ideal-gas";
+  }
   for (std::size_t k = 0; k < scene.regions.size(); ++k) {
     auto const& region = scene.regions[k];
     auto const eos = region.eos.value_or(fluid.eos);
@@ -85,9 +91,23 @@ void check_density(Scene const& scene, Places const& places) {
   require_together(
       steps == 0 || steps >= least_calibration, places, "particles.calibration_steps", steps,
       fmt::format("must be >= {}, or 0 for a number that goes with the run's", least_calibration));
+  require_together(density != "calibrated-shocked" || scene.box.piston.value_or(0) > 0, places,
+                   "particles.density", density,
+                   "needs a piston that moves into the fluid, box.piston > 0, whose shock makes the state");
   if (scale)
     require_together(std::abs(*self) < *scale, places, "particles.density_self", *self,
                      fmt::format("must lie between -c and c, c = density_scale = {}", *scale));
+}
+
+/// A share of the energy that is turned over may get lost where something turns it over.
+void check_balance(Scene const& scene, Places const& places) {
+  auto const& drift = *scene.scheme.drift;
+  require_together(is_driven(scene), places, "scheme.drift", drift,
+                   "a share of the energy that is turned over, is for scenes that something drives: regions, "
+                   "a piston, walls that slide, open faces or a body force; wish for a rate, such as "
+                   "\"1e-6/ps\", or a bias");
+  require_together(scene.scheme.energy == "free", places, "scheme.drift", drift,
+                   "wants energy = \"free\": with \"kept\" the energy balances at any time step");
 }
 
 void check_wish(Scene const& scene, Places const& places) {
@@ -102,14 +122,19 @@ void check_wish(Scene const& scene, Places const& places) {
       throw InputError(fmt::format("{}: {} = \"{}\": {}", places.of(key), key, *text, error.what()));
     }
   };
-  check("scheme.drift", scheme.drift, [&](std::string const& text) { parse_rate(text, scene.units); });
+  check("scheme.drift", scheme.drift, [&](std::string const& text) {
+    wished_balance(scheme) ? parse_share(text) : parse_rate(text, scene.units);
+  });
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
   if (scheme.drift)
     require_together(
         scene.features().energies, places, "scheme.drift", *scheme.drift,
         "must not be given: the thermostat of dpd keeps no energy that could drift; wish for a bias");
+  if (wished_balance(scheme))
+    check_balance(scene, places);
   require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
-                   "needs a wish: scheme.drift, such as \"1e-6/ps\", or scheme.bias, such as \"0.5%\"");
+                   "needs a wish: scheme.drift, such as \"1e-6/ps\" or, in scenes that something drives, "
+                   "\"1%\", or scheme.bias, such as \"0.5%\"");
 }
 
 } // namespace
@@ -136,6 +161,8 @@ void resolve_model_paths(Scene& scene, std::filesystem::path const& folder, Plac
   if (!scene.features().densities)
     return;
   resolve_model_path(scene.fluid.eos, "fluid.eos", folder, places);
+  if (auto& product = scene.reaction.product)
+    resolve_model_path(*product, "reaction.product", folder, places);
   for (std::size_t k = 0; k < scene.regions.size(); ++k)
     if (auto& eos = scene.regions[k].eos)
       resolve_model_path(*eos, fmt::format("region.{}.eos", k + 1), folder, places);
@@ -146,6 +173,7 @@ namespace {
 void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
+  check_reaction(scene, places);
   double const limit = 5 * scene.transport.eta / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
@@ -172,12 +200,25 @@ void check_quantities(Scene const& scene, Places const& places, std::string cons
                       std::vector<NamedQuantity> const& known) {
   auto const has = chosen({}, known, scene.features());
   for (auto const& name : named)
-    require_together(std::ranges::find(has, name) != has.end(), places, section + ".quantities", name,
+    require_together(std::ranges::find(has, name) != has.end(), places,
+                     section + (section == "film" ? ".quantity" : ".quantities"), name,
                      fmt::format("there is no such quantity in this box with particles of {}; there are: {}",
                                  scene.method.name,
                                  has.empty() ? "none" : fmt::format("{}", fmt::join(has, ", "))));
   require_together(every == 0 || !has.empty(), places, section + ".every", every,
                    fmt::format("must be 0: particles of {} have none of the quantities", scene.method.name));
+}
+
+void check_film(Scene const& scene, Places const& places) {
+  auto const& film = scene.film;
+  if (film.quantity) {
+    check_quantities(scene, places, "film", 1, {*film.quantity}, film_quantities());
+    require_together(film.every <= scene.run.steps, places, "film.every", film.every,
+                     fmt::format("must be <= run.steps = {}, or 0 for six frames", scene.run.steps));
+    return;
+  }
+  require_together(film == Scene::Film{}, places, "film.quantity", "not given",
+                   "must be given where other keys of the film are: it is what colours the particles");
 }
 
 /// Profiles, histograms and series on schedules that the run can keep.
@@ -187,6 +228,7 @@ void check_schedules(Scene const& scene, Places const& places) {
   check_quantities(scene, places, "profile", profile.every, profile.quantities, profile_quantities());
   check_quantities(scene, places, "histogram", histogram.every, histogram.quantities, histogram_quantities());
   check_quantities(scene, places, "series", scene.series.every, scene.series.quantities, series_quantities());
+  check_film(scene, places);
   for (auto const& [key, every] :
        {std::pair("profile.every", profile.every), {"histogram.every", histogram.every}})
     require_together(every <= scene.run.steps, places, key, every,

@@ -31,6 +31,7 @@ std::string type_name(SceneKey const& key) {
 
 sdpd::Features Scene::features() const {
   auto features = sdpd::method_named(method.name).features;
+  features.reacts = features.densities && reaction.product.has_value();
   features.walls = box.x == "walls" || box.y == "walls" || box.z == "walls";
   features.rough_walls = features.walls && box.slip == "none";
   features.body_force = box.body_force.value_or(0) != 0;
@@ -76,7 +77,7 @@ std::vector<SceneKey> const& scene_keys() {
     std::vector<SceneKey> all;
     for (auto const& table :
          {title_and_method_keys(), fluid_keys(), particle_keys(), box_keys(), pair_fluid_keys(),
-          transport_keys(), scheme_keys(), run_keys(), observe_keys(), output_keys()})
+          transport_keys(), reaction_keys(), scheme_keys(), run_keys(), observe_keys(), output_keys()})
       all.insert(all.end(), table.begin(), table.end());
     return all;
   }();

@@ -25,6 +25,7 @@ struct SceneKey {
   /// Texts that were allowed once, and what they are called now.
   std::vector<std::pair<std::string, std::string>> former;
   std::vector<std::string> choices;          ///< of a text, or of the texts of a list; empty: any
+  bool any_length = false;                   ///< of a list of numbers; else it has three, along x, y and z
   bool required = false;                     ///< if not, the default is that of a fresh Scene
   std::vector<std::string> methods;          ///< the methods that have the key; empty: all
   std::function<bool(Scene const&)> written; ///< whether resolved scenes show it; empty: always

@@ -2,43 +2,18 @@
 #include "md/error.hpp"
 #include "sdpd/method/settings.hpp"
 #include "workflows/scene/keys/tables.hpp"
-#include <algorithm>
+#include "workflows/scene/wanted_keys.hpp"
 
 namespace mesobridge::workflows {
 namespace {
 
-/// A key that may be there, and the names that want it.
-struct Wanted {
-  std::string key;
-  bool given;
-  std::vector<std::string> by;
-};
-
-/// Keys that `name` wants must be given, the others not.
-void check_wanted(std::string const& what, std::string const& name, std::vector<Wanted> const& keys,
-                  Places const& places) {
-  for (auto const& [key, given, by] : keys) {
-    bool const wanted = std::ranges::find(by, name) != by.end();
-    if (wanted && !given)
-      throw InputError(
-          fmt::format("{}: key '{}' is missing, which {} = \"{}\" needs", places.of(what), key, what, name));
-    if (!wanted && given)
-      throw InputError(fmt::format("{}: key '{}' belongs to {} = \"{}\", not to \"{}\"", places.of(key), key,
-                                   what, fmt::join(by, "\", \""), name));
-  }
-}
-
 void check_potential(Scene const& scene, Places const& places) {
   auto const& potential = scene.potential;
-  std::vector<Wanted> keys;
-  for (auto const& parameter : potential_parameters()) {
-    std::vector<std::string> by;
-    for (auto const& kind : sdpd::potentials())
-      if (std::ranges::find(kind.parameters, parameter.name, &sdpd::Parameter::name) != kind.parameters.end())
-        by.emplace_back(kind.name);
-    keys.push_back(
-        {fmt::format("potential.{}", parameter.name), potential.parameters[parameter.name].has_value(), by});
-  }
+  std::vector<WantedKey> keys;
+  for (auto const& parameter : potential_parameters())
+    keys.push_back({fmt::format("potential.{}", parameter.name),
+                    potential.parameters[parameter.name].has_value(),
+                    names_with(sdpd::potentials(), parameter.name)});
   keys.push_back({"potential.file", potential.file.has_value(), {"table"}});
   check_wanted("potential.name", potential.name, keys, places);
 }

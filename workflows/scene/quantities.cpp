@@ -34,6 +34,16 @@ std::vector<NamedQuantity> const& histogram_quantities() {
   return all;
 }
 
+std::vector<NamedQuantity> const& film_quantities() {
+  static auto const all = [] {
+    auto of = histogram_quantities();
+    for (auto const* velocity : {"velocity_x", "velocity_y", "velocity_z"})
+      of.push_back({velocity, sdpd::in_every_method});
+    return of;
+  }();
+  return all;
+}
+
 std::vector<NamedQuantity> const& series_quantities() {
   static auto const all = [] {
     std::vector<NamedQuantity> asked;

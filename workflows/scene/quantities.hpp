@@ -17,6 +17,9 @@ std::vector<NamedQuantity> const& profile_quantities();
 /// What a histogram may count: the fields of the particles that are written.
 std::vector<NamedQuantity> const& histogram_quantities();
 
+/// What may colour the particles of a film: those fields, and the components of the velocity.
+std::vector<NamedQuantity> const& film_quantities();
+
 /// What a series may hold: the measurements that no run makes unless it is asked to.
 std::vector<NamedQuantity> const& series_quantities();
 

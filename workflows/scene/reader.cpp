@@ -2,6 +2,7 @@
 #include "fitting/toml_reader.hpp"
 #include "md/error.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/scene/box_checks.hpp"
 #include "workflows/scene/checks.hpp"
 #include "workflows/scene/former_keys.hpp"
 #include "workflows/scene/keys.hpp"
@@ -190,6 +191,7 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
   scene.notes.insert(scene.notes.begin(), notes.begin(), notes.end());
   resolve_model_paths(scene, file.parent_path(), places);
   resolve_pair_files(scene, file.parent_path(), places);
+  resolve_piston_file(scene, file.parent_path(), places);
   check_together(scene, places);
   return scene;
 }

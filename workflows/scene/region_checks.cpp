@@ -50,7 +50,7 @@ struct RegionRules {
 /// Whether the region is not at rest, or would not stay as it is beside the fluid.
 bool must_not_settle(Scene::Region const& region) {
   return region.fill == "vacuum" || region.T || (region.rho && !region.eos) || !region.velocity.empty() ||
-         !region.velocity_gradient.empty();
+         !region.velocity_gradient.empty() || region.progress;
 }
 
 } // namespace

@@ -88,8 +88,11 @@ struct Scene {
     std::vector<double> size;          ///< edges, in place of N
     std::string x = "periodic", y = "periodic", z = "periodic";
     std::optional<double> piston, ramp; ///< velocity of the lower wall, and the time until it has it
-    std::string slip = "free";
-    std::optional<double> wall_temperature, wall_friction, slide, body_force;
+    std::vector<double> piston_times, piston_velocities; ///< a table in place of both
+    std::optional<std::string> piston_file;              ///< the same in a file
+    std::optional<std::string> moving; ///< the axis whose walls move, where several have walls
+    std::string slip = "free", wall_heat = "bath";
+    std::optional<double> wall_temperature, wall_friction, slide, slide_ramp, body_force;
     std::int64_t waves = 0;          ///< of the body force, in the length of the box
     std::optional<std::string> flow; ///< the axis along which the upper wall slides and the body force acts
     bool operator==(Box const&) const = default;
@@ -100,6 +103,7 @@ struct Scene {
     std::optional<double> radius;
     std::optional<std::string> eos;
     std::optional<double> K, rho, T, mass, heat_capacity; ///< those of the fluid if not given
+    std::optional<double> progress;
     std::vector<double> velocity, velocity_gradient;
     bool operator==(Region const&) const = default;
   };
@@ -108,6 +112,16 @@ struct Scene {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;
   } transport;
+  struct Reaction {                      ///< sdpd
+    std::optional<std::string> product;  ///< as fluid.eos, which is the reactant; without it nothing reacts
+    std::optional<double> heat, heat_per_molecule; ///< one of the two
+    std::string volumes = "additive";
+    std::string kinetics = "second-order";
+    ParameterValues parameters; ///< see sdpd::kinetics()
+    std::string weights = "kernel", integrator = "midpoint";
+    double progress = 0; ///< at the start
+    bool operator==(Reaction const&) const = default;
+  } reaction;
   struct Potential { ///< dpd, dpde
     std::string name = "none";
     ParameterValues parameters; ///< see sdpd::potentials()
@@ -169,6 +183,13 @@ struct Scene {
     std::vector<std::string> quantities; ///< empty: all that the method has
     bool operator==(Series const&) const = default;
   } series;
+  struct Film { ///< pictures of the particles of a slab, into run.h5 and the report
+    std::optional<std::string> quantity; ///< whose value is the colour; none: no film
+    std::int64_t every = 0;              ///< 0: six frames
+    std::optional<std::string> axis;     ///< along which one looks
+    std::optional<double> thickness;
+    bool operator==(Film const&) const = default;
+  } film;
   struct Output {
     std::optional<std::string> directory;
     bool operator==(Output const&) const = default;

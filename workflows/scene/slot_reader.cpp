@@ -105,7 +105,9 @@ struct SlotReader {
   }
   void operator()(std::vector<double>* slot) const {
     auto const* list = node.as_array();
-    if (!list || list->size() != 3)
+    if (!list && key.any_length)
+      throw InputError("must be a list, each " + key.allowed(units));
+    if (!list || (list->size() != 3 && !key.any_length))
       throw InputError("must be three, along x, y and z, each " + key.allowed(units));
     slot->clear();
     for (auto const& element : *list)

@@ -43,6 +43,12 @@ double parse_share(std::string const& text) {
   return share;
 }
 
+std::optional<double> wished_balance(Scene::Scheme const& scheme) {
+  if (!scheme.drift || !scheme.drift->ends_with('%'))
+    return std::nullopt;
+  return parse_share(*scheme.drift);
+}
+
 std::string wish_text(Scene::Scheme const& scheme) {
   std::vector<std::string> parts;
   if (scheme.drift)

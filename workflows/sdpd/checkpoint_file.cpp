@@ -86,10 +86,11 @@ class Reader {
     return {.proposed = at(0), .out_of_domain = at(1), .metropolis = at(2)};
   }
 
-  /// Impulse and work of the lower and the upper wall, and their time, where there are walls.
-  std::vector<double> walls() const { return doubles_if_there("walls", 5); }
-  /// Drag and heat of both walls, where there are any, and the body force's work and sink.
-  std::vector<double> flow() const { return doubles_if_there("flow", store_.contains("walls") ? 10 : 2); }
+  /// Impulse and work of the lower and the upper walls of some axes, and their time, where there are walls.
+  std::vector<double> walls() const { return doubles_if_there("walls", 4 * walled_axes() + 1); }
+  /// Drag and heat of these walls, where there are any, and the body force's work and sink.
+  std::vector<double> flow() const { return doubles_if_there("flow", 8 * walled_axes() + 2); }
+  std::vector<double> reaction() const { return doubles_if_there("reaction", 1); } ///< its time
 
   std::string scene() const { return store_.read_text("scene"); }
   std::vector<InputFile> inputs() const { return read_inputs(store_); }
@@ -101,6 +102,12 @@ class Reader {
   }
 
  private:
+  std::size_t walled_axes() const {
+    auto const shape = store_.contains("walls") ? store_.shape("walls") : Store::Shape{1};
+    require_that(shape.size() == 1 && shape[0] <= 13, "'walls' is no row of the numbers of up to six walls");
+    return shape[0] / 4;
+  }
+
   void require_that(bool condition, std::string const& fault) const {
     if (!condition)
       throw InputError(fmt::format("cannot go on from checkpoint '{}': {}", store_.file().string(), fault));
@@ -165,6 +172,8 @@ void write_datasets(Store& store, sdpd::Checkpoint const& c, Provenance const& p
     store.write("walls", c.walls);
   if (!c.flow.empty())
     store.write("flow", c.flow);
+  if (!c.reaction.empty())
+    store.write("reaction", c.reaction);
   store.write("equilibration", std::array{static_cast<double>(equilibration.done), equilibration.sum_T_kin,
                                           equilibration.sum_T_int});
   write_provenance(store, provenance);
@@ -189,7 +198,8 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .pair_counts = reader.pair_counts("pair_counts"),
                          .conduction_counts = reader.pair_counts("conduction_counts"),
                          .walls = reader.walls(),
-                         .flow = reader.flow()},
+                         .flow = reader.flow(),
+                         .reaction = reader.reaction()},
           .scene = reader.scene(),
           .inputs = reader.inputs(),
           .equilibration = reader.equilibration(),

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/study/automatic_dt.hpp"
+#include "workflows/study/driven_dt.hpp"
 #include <array>
 #include <numbers>
 
@@ -24,7 +25,9 @@ double work_of_study(Scene const& scene) {
   if (!scene.scheme.dt.automatic)
     return 0;
   auto const trials = time_step_trials(scene);
-  double work = static_cast<double>(particles_of(trials.front().scene)) * steps_of_start(scene);
+  double work = work_of_balance_trials(scene);
+  if (!trials.empty())
+    work += static_cast<double>(particles_of(trials.front().scene)) * steps_of_start(scene);
   for (auto const& trial : trials)
     work += work_of(trial.scene);
   return work;

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "workflows/sdpd/layout_of.hpp"
+#include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/version.hpp"
@@ -11,11 +12,46 @@ namespace mesobridge::workflows {
 
 namespace {
 
-/// [fluid] without the regions in it, by which all densities are calibrated.
-Scene without_regions(Scene scene) {
+/// Of which a calibration runs a part.
+constexpr std::array<std::uint32_t, 3> roomy_lattice{32, 32, 32};
+
+/// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
+Scene fluid_alone(Scene scene) {
+  scene.reaction = {};
   if (has_layout(scene))
-    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32; // of which a part is run
+    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32;
   return scene;
+}
+
+/// Density and temperature.
+struct CalibratedState {
+  double rho, T;
+};
+
+/// Where the constants are to hold.
+CalibratedState state_of(Scene const& scene) {
+  auto const& particles = scene.particles;
+  if (particles.density != "calibrated-shocked")
+    return {scene.fluid.rho, scene.fluid.T};
+  try {
+    auto const shock = piston_shock(settings_of(fluid_alone(scene), 1), scene.box.piston.value());
+    return {shock->behind.rho, shock->behind.T};
+  } catch (PhysicsError const& error) {
+    throw InputError(fmt::format("particles.density = \"{}\": {}", particles.density, error.what()));
+  }
+}
+
+/// The same particles with the same kernels and time step, in units of that state and in a box of their own.
+sdpd::SimulationSettings at(CalibratedState const& state, sdpd::SimulationSettings settings) {
+  if (state.rho == settings.rho && state.T == settings.T)
+    return settings;
+  auto const before = settings.units();
+  settings.lattice = roomy_lattice, settings.faces = {};
+  settings.as<sdpd::Sdpd>().h_factor *= std::cbrt(state.rho / settings.rho);
+  settings.rho = state.rho, settings.T = state.T;
+  double const time = before.time() / settings.units().time();
+  settings.dt *= time, settings.bath_rate /= time;
+  return settings;
 }
 
 /// What the scene says or, if it leaves that open, what suits its fluid; none where there is nothing to
@@ -24,11 +60,12 @@ Scene without_regions(Scene scene) {
 std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   auto const& density = scene.particles.density;
   if (density.starts_with("calibrated"))
-    return density == "calibrated" ? sdpd::ScaleCondition::pressure : sdpd::ScaleCondition::response;
+    return density == "calibrated-response" ? sdpd::ScaleCondition::response
+                                            : sdpd::ScaleCondition::pressure;
   if (density != "auto" || !scene.noise() ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;
-  return sdpd::suitable_condition(settings_of(without_regions(scene), 1));
+  return sdpd::suitable_condition(calibrated_settings(scene, 1));
 }
 
 } // namespace
@@ -48,7 +85,8 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene) {
 }
 
 sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads) {
-  return settings_of(without_regions(scene), threads);
+  auto const settings = settings_of(fluid_alone(scene), threads);
+  return scene.features().densities ? at(state_of(scene), settings) : settings;
 }
 
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going) {

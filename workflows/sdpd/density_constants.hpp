@@ -14,7 +14,9 @@ sdpd::ScaleCondition scale_condition_of(Scene const& scene);
 /// ... 6000.
 std::int64_t calibration_steps(Scene const& scene);
 
-/// The settings of the fluid that they are found on: that of [fluid], without the scene's regions.
+/// The settings of the fluid that they are found on: that of [fluid] without the scene's regions, in the
+/// state that the scene wants them for, with the same particles, kernels and time step. Throws InputError
+/// when that is the state behind a shock that the equation of state does not have.
 sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads);
 
 /// Finds them on the scene's own fluid. Throws as calibrate_density.

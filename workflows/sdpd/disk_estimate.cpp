@@ -78,6 +78,10 @@ double results(Scene const& scene, Particle const& of) {
              static_cast<double>(
                  chosen(scene.histogram.quantities, histogram_quantities(), scene.features()).size()) *
                  (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
+  if (double const frames = rows(scene, film_every(scene)); frames > 0) { // a slab as thick as a particle
+    double const N = static_cast<double>(particles_of(scene)), points = std::pow(N, 2.0 / 3);
+    bytes += 3 * growing(frames, 1) + 3 * growing(frames * points, 1);
+  }
   double const measured = rows(scene, scene.series.every);
   if (measured > 0)
     bytes += 2 * growing(measured, 1);

@@ -2,7 +2,9 @@
 #include "fitting/eos/evaluate.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/sdpd/detonation.hpp"
 #include "workflows/sdpd/equilibrium_plots.hpp"
+#include "workflows/sdpd/film.hpp"
 #include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_report.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
@@ -182,13 +184,15 @@ std::vector<std::string> sources_of(RunResult const& run) {
   return sources;
 }
 
-/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time.
+/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time; and the film.
 std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunResult const& run,
                                      OutputUnits const& units) {
   Store const store(run_file, Store::Mode::read);
   std::vector<Section> sections;
   if (auto const shock = shock_of(store, run.scene, run.settings))
     sections.push_back(shock_section(*shock, units));
+  if (auto const detonation = detonation_of(store, run.scene, run.settings))
+    sections.push_back(detonation_section(*detonation, run.scene, units));
   if (run.settings.layout)
     sections.push_back({"Start",
                         {drawn({start_picture(run.scene, run.settings)},
@@ -199,6 +203,8 @@ std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunR
       sections.push_back(riemann_section(*found, units));
   if (auto const flow = flow_of(store, run.scene, run.settings))
     sections.push_back(flow_section(*flow, run));
+  if (auto film = film_section(store, run.scene, run.settings))
+    sections.push_back(std::move(*film));
   if (is_driven(run.scene))
     if (auto pictures = space_time_section(store, run.scene, units))
       sections.push_back(std::move(*pictures));

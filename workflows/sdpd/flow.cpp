@@ -1,5 +1,6 @@
 #include "workflows/sdpd/flow.hpp"
 #include "cg/equilibration.hpp"
+#include "workflows/sdpd/duct_flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/short_series.hpp"
 #include "workflows/summary.hpp"
@@ -90,11 +91,24 @@ std::optional<cg::Estimate> wall_stress(Store const& store, Scene const& scene, 
   return cg::estimate_mean(stress);
 }
 
+bool is_duct(Scene::Box const& box) {
+  return (box.x == "walls") + (box.y == "walls") + (box.z == "walls") == 2;
+}
+
+/// In a duct the profile may go along either width.
+FlowAxes axes_of(Scene const& scene) {
+  auto axes = flow_axes(scene);
+  int const shown = scene.profile.axis[0] - 'x';
+  if (is_duct(scene.box) && shown != axes.along)
+    axes.across = shown;
+  return axes;
+}
+
 /// One run while its flow is found.
 class FlowSearch {
  public:
   FlowSearch(Store const& store, Scene const& scene, sdpd::SimulationSettings const& settings)
-      : store_(store), scene_(scene), units_(settings.units(), scene.units), axes_(flow_axes(scene)),
+      : store_(store), scene_(scene), units_(settings.units(), scene.units), axes_(axes_of(scene)),
         frames_(frames_of(store, units_, axes_.along)), box_(sdpd::box_of(settings)),
         edge_(component(box_.edge, axes_.across) * units_.length), range_(settings.range() * units_.length) {}
 
@@ -109,6 +123,9 @@ class FlowSearch {
       break;
     case FlowKind::poiseuille:
       poiseuille(flow);
+      break;
+    case FlowKind::duct:
+      duct(flow);
       break;
     case FlowKind::wave:
       wave(flow);
@@ -167,6 +184,21 @@ class FlowSearch {
       flow.exact.push_back(force / (2 * flow.viscosity.mean) * z * (edge_ - z));
   }
 
+  /// The profile is a mean over the duct's other width.
+  void duct(FlowOfRun& flow) {
+    Duct const of{edge_, component(box_.edge, 3 - axes_.along - axes_.across) * units_.length};
+    auto const fits = fit(frames_, [&](double z) { return of.velocity(z); }, inside());
+    settle(flow, fits);
+    auto const slope = cg::estimate_mean(from(fits.slope, first_)),
+               offset = cg::estimate_mean(from(fits.offset, first_));
+    double const force = scene_.fluid.rho * *scene_.box.body_force;
+    flow.viscosity = ratio({force, 0, slope.n_eff}, slope);
+    double const shear = of.a * of.b / (2 * (of.a + of.b)); // at the walls, in the mean over them
+    flow.slip_length = ratio(offset, {slope.mean * shear, slope.se * shear, slope.n_eff});
+    for (double const z : frames_.position)
+      flow.exact.push_back(slope.mean * of.velocity(z));
+  }
+
   void wave(FlowOfRun& flow) {
     double const k = 2 * std::numbers::pi * static_cast<double>(scene_.box.waves) / edge_,
                  half = k * edge_ / static_cast<double>(2 * frames_.position.size()),
@@ -196,11 +228,14 @@ std::optional<FlowKind> kind_of(Scene const& scene) {
   bool const slides = box.slide.value_or(0) != 0, pushed = box.body_force.value_or(0) != 0;
   if (slides == pushed)
     return std::nullopt;
+  bool const duct = is_duct(box);
   if (slides)
-    return FlowKind::couette;
+    return duct ? std::nullopt : std::optional(FlowKind::couette);
   if (box.waves > 0)
     return FlowKind::wave;
-  return box.slip == "none" ? std::optional(FlowKind::poiseuille) : std::nullopt;
+  if (box.slip != "none")
+    return std::nullopt;
+  return duct ? FlowKind::duct : FlowKind::poiseuille;
 }
 
 } // namespace
@@ -209,7 +244,7 @@ std::optional<FlowOfRun> flow_of(Store const& store, Scene const& scene,
                                  sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
   auto const kind = kind_of(scene);
-  bool const across = scene.profile.axis[0] - 'x' == flow_axes(scene).across;
+  bool const across = scene.profile.axis[0] - 'x' == axes_of(scene).across;
   if (!kind || !across || scene.profile.every == 0 || !store.contains("profile/velocity" + units.velocity_key))
     return std::nullopt;
   return FlowSearch(store, scene, settings).find(*kind);

@@ -11,6 +11,7 @@ namespace mesobridge::workflows {
 enum class FlowKind {
   couette,    ///< a sliding wall
   poiseuille, ///< a body force between walls
+  duct,       ///< a body force along a duct, between walls across two axes
   wave        ///< a body force as a cosine in a periodic box
 };
 

@@ -12,8 +12,7 @@ std::string with_unit(std::string const& quantity, std::string const& unit, bool
 
 Plot velocities(FlowOfRun const& flow, RunResult const& run) {
   OutputUnits const units(run.settings.units(), run.scene.units);
-  std::string const axis(1, "xyz"[flow_axes(run.scene).across]);
-  auto const x = axis_of(axis + units.length_key), y = axis_of("velocity" + units.velocity_key);
+  auto const x = axis_of(run.scene.profile.axis + units.length_key), y = axis_of("velocity" + units.velocity_key);
   Plot plot{.name = "flow", .title = "Velocity along the flow", .x = {.label = x.label}, .panels = {Panel{}}};
   auto const at = scaled(flow.position, x.factor);
   Series measured{.label = "measured", .x = at, .y = {}, .y_error = {}};

@@ -25,7 +25,7 @@ HistogramSeries::HistogramSeries(Store& store, Scene const& scene, OutputUnits c
 HistogramSeries::Quantity HistogramSeries::find(std::string const& name, sdpd::Snapshot const& now) const {
   auto const& field = *std::ranges::find(sdpd::fields, name, &sdpd::Field::name);
   auto const [unit, key] = units_.of(field.dimension);
-  return {root + "/" + name + key, now.*field.values, unit};
+  return {root + "/" + name + key, now.*field.values, unit, field.range};
 }
 
 /// Those of the file or, at the first histogram, those of its particles, which are written. They are kept as
@@ -37,7 +37,9 @@ HistogramSeries::Bins HistogramSeries::bins_of(Quantity const& of) {
   }
   double const mean = gsl_stats_mean(of.values.data(), 1, of.values.size()),
                sd = gsl_stats_sd_m(of.values.data(), 1, of.values.size(), mean);
-  Bins const bins{mean - reach_ * sd, mean + reach_ * sd};
+  bool const bounded = std::isfinite(of.range.min) && std::isfinite(of.range.max);
+  Bins const bins = bounded ? Bins{of.range.min, std::nextafter(of.range.max, 2 * of.range.max)}
+                            : Bins{mean - reach_ * sd, mean + reach_ * sd};
   if (!(bins.lower < bins.upper))
     throw PhysicsError(fmt::format("histogram '{}': all particles have the value {:.6g} at the first one, so "
                                    "that its bins have no width; equilibrate first",

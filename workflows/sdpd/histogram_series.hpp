@@ -8,8 +8,9 @@ namespace mesobridge::workflows {
 /// Histograms over all particles of a run, under `histogram` of its file: `step`, the time and, for each
 /// quantity that the scene asks for, a group named with its unit (`eps_J`) that holds the bins' `edges` and,
 /// one row a histogram, the particles' `counts`, and how many lie `below` and `above` the bins. The bins are
-/// those of the first histogram: its mean and `reach` standard deviations either way. A resumed run repeats
-/// its steps: rows that the file holds already are skipped.
+/// those of the first histogram, its mean and `reach` standard deviations either way; of a field between two
+/// bounds they lie between these. A resumed run repeats its steps: rows that the file holds already are
+/// skipped.
 class HistogramSeries {
  public:
   /// Goes on after the rows that the file holds. The store must outlive the series.
@@ -27,6 +28,7 @@ class HistogramSeries {
     std::string group;
     std::vector<double> const& values; ///< reduced
     double unit;
+    NumberRange range; ///< of the values that make sense
   };
   Quantity find(std::string const& name, sdpd::Snapshot const& now) const;
   Bins bins_of(Quantity const& quantity);

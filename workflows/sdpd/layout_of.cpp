@@ -29,7 +29,7 @@ class Plan {
  public:
   Plan(Scene const& scene, sdpd::SimulationSettings const& settings)
       : scene_(scene), settings_(settings), units_(settings.units()), edge_(edge_of_box()) {
-    add({.name = "fluid", .shape = sdpd::Cuboid{{}, edge_}}, material_of(scene), scene.fluid.rho,
+    add({.name = "fluid", .shape = sdpd::Cuboid{{}, edge_}, .progress = scene.reaction.progress}, material_of(scene), scene.fluid.rho,
         scene.fluid.T);
     for (std::size_t k = 0; k < scene.regions.size(); ++k)
       add(scene.regions[k], k);
@@ -68,12 +68,15 @@ class Plan {
                         .lattice = of.lattice == "fcc"      ? sdpd::Lattice::fcc
                                    : of.lattice == "random" ? sdpd::Lattice::random
                                                             : sdpd::Lattice::cubic,
+                        .progress = of.progress.value_or(scene_.reaction.progress),
                         .velocity = vector_of(of.velocity) / v};
     Vec3 const gradient = vector_of(of.velocity_gradient) / rate;
     (of.axis == "x" ? region.along_x : of.axis == "y" ? region.along_y : region.along_z) = gradient;
     double const rho = of.rho.value_or(scene_.fluid.rho), T = of.T.value_or(scene_.fluid.T);
-    if (of.fill == "fluid" && scene_.features().densities)
+    if (of.fill == "fluid" && scene_.features().densities && region.progress <= 0)
       check_state(material_of(scene_, of).eos, rho, T, k);
+    if (of.fill == "fluid" && region.progress >= 1)
+      check_state(*scene_.reaction.product, rho, T, k);
     add(std::move(region), material_of(scene_, of), rho, T);
   }
 

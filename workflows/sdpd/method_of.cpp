@@ -89,6 +89,33 @@ sdpd::PairFluid pair_fluid_of(Scene const& scene) {
           .friction = friction_of(scene)};
 }
 
+sdpd::AnyKinetics kinetics_of(Scene const& scene) {
+  auto const& of = scene.reaction;
+  auto const& named = sdpd::kinetics_named(of.kinetics);
+  std::vector<double> values;
+  for (auto const& parameter : named.parameters)
+    values.push_back(of.parameters[parameter.name].value());
+  auto kinetics = named.make(values);
+  if (auto* const pairs = std::get_if<sdpd::SecondOrder>(&kinetics))
+    pairs->weights =
+        of.weights == "kernel" ? sdpd::NeighbourWeights::kernel : sdpd::NeighbourWeights::normalised;
+  return kinetics;
+}
+
+std::optional<sdpd::SdpdReaction> reaction_of(Scene const& scene) {
+  auto const& of = scene.reaction;
+  if (!of.product)
+    return std::nullopt;
+  double const m0 = std::visit([](auto const& eos) { return eos.molecular_mass(); }, eos_of(scene));
+  return sdpd::SdpdReaction{.product = product_of(scene),
+                            .additive_volumes = of.volumes == "additive",
+                            .heat = of.heat ? *of.heat : *of.heat_per_molecule / m0,
+                            .kinetics = kinetics_of(scene),
+                            .integrator = of.integrator == "euler" ? sdpd::RateIntegrator::euler
+                                                                   : sdpd::RateIntegrator::midpoint,
+                            .progress = of.progress};
+}
+
 sdpd::AnyMethod make(std::type_identity<sdpd::Sdpd>, Scene const& scene) {
   return sdpd::Sdpd{.eos = eos_of(scene),
                     .K = scene.particles.K,
@@ -99,7 +126,8 @@ sdpd::AnyMethod make(std::type_identity<sdpd::Sdpd>, Scene const& scene) {
                     .h_factor = scene.particles.h_factor,
                     .eta = scene.transport.eta,
                     .zeta = scene.transport.zeta,
-                    .kappa = scene.transport.kappa};
+                    .kappa = scene.transport.kappa,
+                    .reaction = reaction_of(scene)};
 }
 
 sdpd::AnyMethod make(std::type_identity<sdpd::Dpde>, Scene const& scene) {

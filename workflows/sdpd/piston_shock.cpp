@@ -2,21 +2,36 @@
 
 namespace mesobridge::workflows {
 
+namespace {
+
+fitting::EosState state_ahead(sdpd::Sdpd const& fluid, sdpd::SimulationSettings const& settings) {
+  return std::visit(
+      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
+      fluid.eos);
+}
+
+fitting::Shock detonation(sdpd::Sdpd const& fluid, sdpd::SimulationSettings const& settings, double v_P) {
+  fitting::Hugoniot const crussard(state_ahead(fluid, settings), fitting::Fluid(fluid.reaction->product),
+                                   fluid.reaction->heat);
+  auto const free = crussard.chapman_jouguet();
+  return v_P > free.v_P ? crussard.from_piston(v_P) : free;
+}
+
+} // namespace
+
 std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& settings, double v_P) {
   auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
   if (!fluid)
     return std::nullopt;
-  auto const ahead = std::visit(
-      [&](auto const& eos) { return fitting::state_from_temperature(eos, settings.rho, settings.T); },
-      fluid->eos);
-  return fitting::Hugoniot(fitting::Fluid(fluid->eos), ahead).from_piston(v_P);
+  return fitting::Hugoniot(fitting::Fluid(fluid->eos), state_ahead(*fluid, settings)).from_piston(v_P);
 }
 
 std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings) {
   for (auto const& [lower, upper] : settings.faces)
-    if (lower.motion.velocity > 0)
+    if (double const v_P = lower.motion.driving_velocity(); v_P > 0)
       try {
-        return piston_shock(settings, lower.motion.velocity);
+        auto const* fluid = std::get_if<sdpd::Sdpd>(&settings.method);
+        return fluid && fluid->reaction ? detonation(*fluid, settings, v_P) : piston_shock(settings, v_P);
       } catch (PhysicsError const&) {
         return std::nullopt;
       }

@@ -10,8 +10,9 @@ namespace mesobridge::workflows {
 /// PhysicsError where the model has no such shock.
 std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& settings, double v_P);
 
-/// The same before the piston of the settings; nothing where none moves into the fluid, and where the model
-/// has no such shock.
+/// The same before the piston of the settings; of a fluid that reacts the detonation, that of Chapman and
+/// Jouguet where the piston is slower than its products, else the one that the piston drives. Nothing where
+/// no piston moves into the fluid, and where the models have no such shock.
 std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings);
 
 /// Re_l = rho_0 v_S l/(4 eta/3 + zeta) of a shock in SDPD with the settings, whose viscosity is not zero; l

@@ -69,13 +69,14 @@ bool may_differ(std::string const& key, Values const& stored) {
                             "profile.every",
                             "histogram.every",
                             "series.every",
+                            "film.every",
                             "output.directory"};
   if (std::ranges::find(free, key) != free.end())
     return true;
   for (std::string const series : {"profile", "histogram", "series"}) // that had not begun
     if (key.starts_with(series + ".") && steps_of(stored, series + ".every") == 0)
       return true;
-  return false;
+  return key.starts_with("film.") && !stored.contains("film.quantity");
 }
 
 std::int64_t past_instants_every(Values const& stored) {
@@ -177,7 +178,7 @@ Scene resumed_scene(Scene scene, std::string const& stored_scene, std::vector<In
   throw InputError(
       fmt::format("'{}' was written by another scene than this one: {}. A run that is resumed may "
                   "change run.steps, title, output.directory, and the schedules of trajectories, "
-                  "profiles, histograms, series and checkpoints; for anything else begin anew with --force "
+                  "profiles, histograms, series, films and checkpoints; for anything else begin anew with --force "
                   "or in another folder",
                   place.string(), fmt::join(differences, ", ")));
 }

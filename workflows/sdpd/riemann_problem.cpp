@@ -96,7 +96,7 @@ std::pair<double, double> RiemannProblem::undisturbed(double time) const {
 }
 
 std::optional<RiemannProblem> riemann_problem(Scene const& scene, sdpd::SimulationSettings const& settings) {
-  if (!settings.layout || !settings.features().densities)
+  if (!settings.layout || !settings.features().densities || settings.features().reacts)
     return std::nullopt;
   int const axis = scene.profile.axis[0] - 'x';
   auto const slices = slices_along(axis, *settings.layout);
@@ -108,7 +108,7 @@ std::optional<RiemannProblem> riemann_problem(Scene const& scene, sdpd::Simulati
                right = side_of(settings, slices->back().region, axis);
     auto const& faces = settings.faces[static_cast<std::size_t>(axis)];
     auto const held = [](sdpd::Face const& face, double u) {
-      return face.kind == sdpd::FaceKind::wall && face.motion.velocity == 0 && u == 0;
+      return face.kind == sdpd::FaceKind::wall && !face.motion.moves() && u == 0;
     };
     return RiemannProblem{axis,
                           slices->back().begin * unit,

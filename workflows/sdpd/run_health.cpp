@@ -56,12 +56,6 @@ void add_doubts_about(sdpd::Layout const& layout, std::vector<sdpd::Finding>& do
 
 } // namespace
 
-bool is_driven(Scene const& scene) {
-  auto const& box = scene.box;
-  return !scene.regions.empty() || box.piston || box.slide || box.body_force || box.x == "open" ||
-         box.y == "open" || box.z == "open";
-}
-
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
   std::vector<sdpd::Finding> doubts;
   for (auto const& note : scene.notes)

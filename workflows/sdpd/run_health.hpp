@@ -1,13 +1,10 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
 #include "sdpd/simulation.hpp"
+#include "workflows/scene/driven.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 
 namespace mesobridge::workflows {
-
-/// Whether something keeps the fluid from equilibrium: a piston, or vacuum beyond an open face. It has then
-/// no one temperature that could be the scene's.
-bool is_driven(Scene const& scene);
 
 /// What the samples of a finished run say against it (see sdpd/observe/health.hpp), and its scene: particles
 /// that hardly meet another one.

@@ -21,6 +21,7 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
     : units_(units), dt_(settings.dt), sample_every_(scene.run.sample_every),
       instants_every_(instants_every(scene.run)), profile_every_(scene.profile.every),
       histogram_every_(scene.histogram.every), series_every_(scene.series.every),
+      film_every_(film_every(scene)),
       run_file_(open_run_file(RunFolder(folder).run_file(), units, settings.features(), provenance,
                               before.has_value())),
       profiles_(profile_every_ > 0 ? std::optional<ProfileSeries>(std::in_place, run_file_.store(), scene,
@@ -32,6 +33,9 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
       series_(series_every_ > 0
                   ? std::optional<MeasuredSeries>(std::in_place, run_file_.store(), scene, units)
                   : std::nullopt),
+      film_(film_every_ > 0
+                ? std::optional<FilmSeries>(std::in_place, run_file_.store(), scene, settings, units)
+                : std::nullopt),
       trajectories_(scene, folder, provenance, before) {}
 
 void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) const {
@@ -41,7 +45,7 @@ void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) cons
 
 std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) const {
   for (std::int64_t const every :
-       {sample_every_, instants_every_, profile_every_, histogram_every_, series_every_})
+       {sample_every_, instants_every_, profile_every_, histogram_every_, series_every_, film_every_})
     if (every > 0)
       steps = std::min(steps, every - done % every);
   return trajectories_.steps_to_next(done, steps);
@@ -59,8 +63,8 @@ void RunOutputs::record(std::int64_t done, sdpd::Observation const& observed,
 
 void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simulation) {
   bool const instant = is_due(done, instants_every_), profile = is_due(done, profile_every_),
-             histogram = is_due(done, histogram_every_);
-  if (!instant && !profile && !histogram)
+             histogram = is_due(done, histogram_every_), film = is_due(done, film_every_);
+  if (!instant && !profile && !histogram && !film)
     return;
   double const time = static_cast<double>(done) * dt_ * units_.time;
   auto const now =
@@ -75,6 +79,8 @@ void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simu
     profiles_->append(now, simulation.box(), step, time);
   if (histogram)
     histograms_->append(now, step, time);
+  if (film)
+    film_->append(now, step, time);
 }
 
 } // namespace mesobridge::workflows

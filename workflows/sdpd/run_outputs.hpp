@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
 #include "sdpd/simulation.hpp"
+#include "workflows/sdpd/film_series.hpp"
 #include "workflows/sdpd/histogram_series.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/profile_series.hpp"
@@ -10,7 +11,7 @@
 
 namespace mesobridge::workflows {
 
-/// All that a run writes on its way: samples, instants, series, profiles, histograms and frames, each on its
+/// All that a run writes on its way: samples, instants, series, profiles, histograms, film and frames, each on its
 /// own schedule of sampled steps.
 class RunOutputs {
  public:
@@ -42,11 +43,12 @@ class RunOutputs {
 
   OutputUnits units_;
   double dt_;
-  std::int64_t sample_every_, instants_every_, profile_every_, histogram_every_, series_every_;
+  std::int64_t sample_every_, instants_every_, profile_every_, histogram_every_, series_every_, film_every_;
   RunFile run_file_;
   std::optional<ProfileSeries> profiles_;
   std::optional<HistogramSeries> histograms_;
   std::optional<MeasuredSeries> series_;
+  std::optional<FilmSeries> film_;
   Trajectories trajectories_;
 };
 

@@ -80,7 +80,7 @@ class Run {
     auto const made_of = calibration_identity(scene);
     if (!std::filesystem::exists(file) || read_calibration() != made_of) {
       auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
-      calibration_ = calibration_json(found, OutputUnits(settings_of(scene, 1).units(), scene.units));
+      calibration_ = calibration_json(found, OutputUnits(calibrated_settings(scene, 1).units(), scene.units));
       auto stored = calibration_;
       stored["made_of"] = made_of;
       write_summary(file, stored);

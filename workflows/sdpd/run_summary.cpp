@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
+#include "workflows/sdpd/detonation.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -73,8 +74,12 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
   put_measured(json, file, scene, units);
+  if (settings.features().reacts)
+    json["progress"] = simulation.observe().progress; // at the end
   if (auto const shock = shock_of(file.store(), scene, settings))
     put_shock(json, *shock, units);
+  if (auto const detonation = detonation_of(file.store(), scene, settings))
+    put_detonation(json, *detonation, units);
   if (auto const problem = riemann_problem(scene, settings))
     if (auto const found = compare(*problem, file.store(), scene, units))
       put_riemann(json, *problem, *found, units);

@@ -40,6 +40,23 @@ std::string shock_text(Json const& summary, OutputUnits const& units, bool si) {
   return text.empty() ? "" : "the shock, and the state behind it:\n" + text;
 }
 
+/// What a run shows of its detonation, by its summary; nothing where there is none.
+std::string detonation_text(Json const& summary, OutputUnits const& units, bool si) {
+  auto const D = "detonation_D" + units.velocity_key, zone = "reaction_zone" + units.length_key;
+  if (!summary.contains(D))
+    return "";
+  auto const found = [&](std::string const& key) {
+    return cg::Estimate{summary[key].get<double>(), summary[key + "_se"].get<double>(), 1};
+  };
+  auto const& cj = summary["chapman_jouguet"]["D" + units.velocity_key];
+  return "the detonation, and its reaction zone:\n" +
+         line("D", found(D), 1, si ? "m/s" : "", "Chapman-Jouguet: " + number_text(cj.get<double>(), 6)) +
+         line("zone", found(zone), 1, si ? "m" : "",
+              summary.contains("znd")
+                  ? "ZND: " + number_text(summary["znd"]["zone" + units.length_key].get<double>(), 4)
+                  : "");
+}
+
 /// The viscosity and the slip of a flow, by its summary; nothing where there are none.
 std::string flow_text(Json const& summary, OutputUnits const& units, bool si) {
   std::string text;
@@ -47,7 +64,8 @@ std::string flow_text(Json const& summary, OutputUnits const& units, bool si) {
        {std::tuple("eta", std::string(si ? "viscosity_Pa_s" : "viscosity"), "Pa s"),
         {"slip", "slip_length" + units.length_key, "m"}})
     if (summary.contains(key))
-      text += line(name, {summary[key].get<double>(), summary[key + "_se"].get<double>(), 1}, 1, si ? unit : "");
+      text +=
+          line(name, {summary[key].get<double>(), summary[key + "_se"].get<double>(), 1}, 1, si ? unit : "");
   return text.empty() ? "" : "the flow, viscosity and slip length:\n" + text;
 }
 
@@ -74,7 +92,8 @@ std::string run_text(RunResult const& result) {
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",
                  "of the total energy, relative");
   }
-  return text + shock_text(result.summary, units, si) + flow_text(result.summary, units, si);
+  return text + shock_text(result.summary, units, si) + detonation_text(result.summary, units, si) +
+         flow_text(result.summary, units, si);
 }
 
 } // namespace mesobridge::workflows

@@ -10,10 +10,12 @@ std::vector<SceneFile> scene_files(Scene const& scene) {
       files.push_back({key, *name});
   };
   add("fluid.eos", scene.fluid.eos);
+  add("reaction.product", scene.reaction.product);
   add("potential.file", scene.potential.file);
   add("friction.file", scene.friction.file);
   add("conduction.file", scene.conduction.file);
   add("internal_energy.model", scene.internal_energy.model);
+  add("box.piston_file", scene.box.piston_file);
   return files;
 }
 

@@ -5,18 +5,30 @@
 #include "workflows/sdpd/layout_of.hpp"
 #include "workflows/sdpd/method_of.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
+#include "workflows/sdpd/piston_table.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <numbers>
 
 namespace mesobridge::workflows {
 
-fitting::EosModel eos_model_of(Scene const& scene) {
-  auto model =
-      fitting::load_eos(scene.fluid.eos, [](std::string const& file) { return read_text_file(file); });
-  if (scene.fluid.eos == "ideal-gas" && scene.fluid.m0)
+namespace {
+
+fitting::EosModel eos_model_of(Scene const& scene, std::string const& eos) {
+  auto model = fitting::load_eos(eos, [](std::string const& file) { return read_text_file(file); });
+  if (eos == "ideal-gas" && scene.fluid.m0)
     model.eos = fitting::IdealGas(*scene.fluid.m0);
   return model;
+}
+
+} // namespace
+
+fitting::EosModel eos_model_of(Scene const& scene) {
+  return eos_model_of(scene, scene.fluid.eos);
+}
+
+fitting::AnyEos product_of(Scene const& scene) {
+  return eos_model_of(scene, scene.reaction.product.value()).eos;
 }
 
 fitting::AnyEos eos_of(Scene const& scene) {
@@ -63,12 +75,19 @@ sdpd::DensityCorrection density_correction_of(Scene const& scene) {
   return {};
 }
 
+int moving_axis(Scene const& scene) {
+  auto const& box = scene.box;
+  return box.moving ? box.moving->front() - 'x' : box.x == "walls" ? 0 : box.y == "walls" ? 1 : 2;
+}
+
 FlowAxes flow_axes(Scene const& scene) {
   auto const& box = scene.box;
-  int const along = box.flow ? box.flow->front() - 'x' : box.x == "periodic" ? 0 : 1;
-  for (auto const& [axis, kind] : {std::pair(0, box.x), {1, box.y}, {2, box.z}})
-    if (kind == "walls")
-      return {along, axis};
+  int const along = box.flow              ? box.flow->front() - 'x'
+                    : box.x == "periodic" ? 0
+                    : box.y == "walls" && box.z != "walls" ? 2
+                                                           : 1;
+  if (scene.features().walls)
+    return {along, moving_axis(scene)};
   return {along, along == 2 ? 0 : 2};
 }
 
@@ -109,10 +128,11 @@ sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& setting
       face.kind = kind == "walls"  ? sdpd::FaceKind::wall
                   : kind == "open" ? sdpd::FaceKind::open
                                    : sdpd::FaceKind::periodic;
+  auto& [of_piston, of_slide] = faces[static_cast<std::size_t>(moving_axis(scene))];
   if (box.piston)
-    for (auto& [lower, upper] : faces)
-      if (lower.kind == sdpd::FaceKind::wall)
-        lower.motion = {*box.piston, box.ramp ? *box.ramp : usual_ramp(settings, *box.piston)};
+    of_piston.motion = {*box.piston, box.ramp ? *box.ramp : usual_ramp(settings, *box.piston), {}};
+  else
+    of_piston.motion = piston_table(scene);
   double const friction = box.slip != "none" ? 1
                           : box.wall_friction ? *box.wall_friction
                                               : sdpd::usual_wall_friction(settings);
@@ -120,9 +140,14 @@ sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& setting
     for (auto& [lower, upper] : faces)
       for (auto* face : {&lower, &upper})
         if (face->kind == sdpd::FaceKind::wall) {
-          face->friction = {true, box.wall_temperature.value_or(scene.fluid.T), friction};
-          if (face == &upper && box.slide)
+          face->friction = {.acts = true,
+                            .temperature = box.wall_temperature.value_or(scene.fluid.T),
+                            .strength = friction,
+                            .bath = box.wall_heat == "bath"};
+          if (face == &of_slide && box.slide) {
             component(face->friction.slide, flow_axes(scene).along) = *box.slide;
+            face->friction.slide_ramp = box.slide_ramp.value_or(0);
+          }
         }
   return faces;
 }
@@ -167,6 +192,13 @@ std::int64_t particles_of(Scene const& scene) {
 std::int64_t instants_every(Scene::Run const& run) {
   constexpr std::int64_t instants = 40;
   return run.instant_every > 0 ? run.instant_every : std::max<std::int64_t>(1, run.steps / instants);
+}
+
+std::int64_t film_every(Scene const& scene) {
+  constexpr std::int64_t parts = 5;
+  if (!scene.film.quantity)
+    return 0;
+  return scene.film.every > 0 ? scene.film.every : std::max<std::int64_t>(1, scene.run.steps / parts);
 }
 
 int available_threads() {

@@ -13,9 +13,14 @@ fitting::EosModel eos_model_of(Scene const& scene);
 /// The equation of state that a scene names: a built-in material, the ideal gas of its m0, or a fitted
 /// model's file. Throws InputError.
 fitting::AnyEos eos_of(Scene const& scene);
+/// Of the product of a scene that reacts.
+fitting::AnyEos product_of(Scene const& scene);
 
 /// The scene's table `scheme`.
 sdpd::Scheme scheme_of(Scene const& scene);
+
+/// The axis across which the moving walls are, or the first with walls; 2 where there are none.
+int moving_axis(Scene const& scene);
 
 /// Along which axis a flow goes, and across which it varies: that of the walls, or of a body force's waves.
 struct FlowAxes {
@@ -33,6 +38,9 @@ sdpd::DensityCorrection density_correction_of(Scene const& scene);
 /// Steps between the instants at which the particles are looked at one by one: about 40 instants over the run
 /// if the scene does not say.
 std::int64_t instants_every(Scene::Run const& run);
+
+/// Steps between the frames of the film; 0 where there is none.
+std::int64_t film_every(Scene const& scene);
 
 /// What the engine needs of a scene.
 sdpd::SimulationSettings settings_of(Scene const& scene, int threads);

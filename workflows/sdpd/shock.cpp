@@ -10,15 +10,11 @@
 namespace mesobridge::workflows {
 namespace {
 
-int walled_axis(Scene const& scene) {
-  return scene.box.x == "walls" ? 0 : scene.box.y == "walls" ? 1 : 2;
-}
-
 /// The frames of a run; none where something is missing.
 std::vector<sdpd::ShockFrame> frames_of(Store const& store, Scene const& scene,
                                         sdpd::SimulationSettings const& settings, std::size_t slices) {
   OutputUnits const units(settings.units(), scene.units);
-  auto const axis = static_cast<std::size_t>(walled_axis(scene));
+  auto const axis = static_cast<std::size_t>(moving_axis(scene));
   auto const time = store.read_doubles("profile/time" + units.time_key);
   auto const velocity = profile_rows(store, "velocity" + units.velocity_key, slices, 3, axis);
   auto const rho = profile_rows(store, "rho" + units.density_key, slices),
@@ -39,8 +35,8 @@ std::vector<sdpd::ShockFrame> by_motion(std::vector<sdpd::ShockFrame> frames, St
   std::size_t const slices = frames.front().rho.size();
   auto const number = store.read_integers("profile/number");
   auto T = profile_rows(store, "T_kin" + units.temperature_key, slices);
-  auto const& n = settings.lattice;
-  double const everywhere = double(n[0]) * n[1] * n[2] / static_cast<double>(slices);
+  double const everywhere = // particles in a slice at the fluid's density
+      sdpd::box_of(settings).volume() / std::pow(settings.spacing(), 3) / static_cast<double>(slices);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     for (std::size_t s = 0; s < slices; ++s)
       frames[k].rho[s] = scene.fluid.rho * static_cast<double>(number[k * slices + s]) / everywhere;
@@ -100,15 +96,16 @@ std::optional<ShockOfRun> shock_in(std::vector<sdpd::ShockFrame> const& frames,
 std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
                                    sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
-  bool const along = scene.profile.axis[0] - 'x' == walled_axis(scene);
-  if (!scene.box.piston || *scene.box.piston <= 0 || !along || scene.profile.every == 0)
+  bool const along = scene.profile.axis[0] - 'x' == moving_axis(scene);
+  double const v_P = settings.faces[static_cast<std::size_t>(moving_axis(scene))][0].motion.driving_velocity();
+  if (!(v_P > 0) || !along || scene.profile.every == 0)
     return std::nullopt;
   for (auto const& name :
        {"velocity" + units.velocity_key, "rho" + units.density_key, "P" + units.pressure_key,
         "T_int" + units.temperature_key, "T_kin" + units.temperature_key})
     if (!store.contains("profile/" + name))
       return std::nullopt;
-  double const v_P = *scene.box.piston, spacing = settings.spacing() * units.length;
+  double const spacing = settings.spacing() * units.length;
   sdpd::ShockScale const scale{store.read_doubles("profile/position" + units.length_key), v_P, spacing};
   auto const frames = frames_of(store, scene, settings, scale.position.size());
   auto shock = shock_in(frames, scale);
@@ -121,8 +118,9 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
 }
 
 void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units) {
-  auto const& [v_S, rho, P, T, times, fronts, first] = shock.measured;
+  auto const& [v_S, rho, P, T, times, fronts, first, v_S_gibbs] = shock.measured;
   put(json, "shock_v_S" + units.velocity_key, v_S);
+  put(json, "shock_v_S_gibbs" + units.velocity_key, v_S_gibbs);
   put(json, "plateau_rho" + units.density_key, rho);
   put(json, "plateau_mass_per_volume" + units.density_key, shock.mass_per_volume);
   put(json, "plateau_P" + units.pressure_key, P);
@@ -175,7 +173,9 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
               .rows = {},
               .caption =
                   "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
-                  "and Hugoniot with the same equation of state."};
+                  "and Hugoniot with the same equation of state. The front that all else refers to is where the "
+                  "velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); Gibbs's "
+                  "surface, from the mass before the piston (Eq. (S58)), is beside it."};
   auto const add = [&](std::string const& name, std::string const& unit, cg::Estimate const& ours,
                        auto exact) {
     auto const quantity = si ? name + " [" + unit + "]" : name;
@@ -183,6 +183,7 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
                                      : std::vector<std::string>{quantity, with_error_text(ours), "", "", ""});
   };
   add("velocity of the shock", "m/s", shock.measured.v_S, [](auto const& of) { return of.v_S; });
+  add("the same by Gibbs's surface", "m/s", shock.measured.v_S_gibbs, [](auto const& of) { return of.v_S; });
   add("density behind it", "kg/m^3", shock.measured.rho, [](auto const& of) { return of.behind.rho; });
   add("mass per volume behind it", "kg/m^3", shock.mass_per_volume,
       [](auto const& of) { return of.behind.rho; });

@@ -2,6 +2,7 @@
 #include "workflows/report/colour_map.hpp"
 #include "workflows/sdpd/profile_rows.hpp"
 #include "workflows/sdpd/run_plots.hpp"
+#include <algorithm>
 #include <limits>
 
 namespace mesobridge::workflows {
@@ -20,7 +21,8 @@ std::vector<Shown> shown(Scene const& scene, OutputUnits const& units) {
   return {{"rho", units.density_key},
           {"velocity", units.velocity_key, 3, along},
           {"P", units.pressure_key},
-          {"T_int", units.temperature_key}};
+          {"T_int", units.temperature_key},
+          {"progress", ""}};
 }
 
 /// Every k-th row, so that at most `most_rows` are left.
@@ -44,34 +46,44 @@ void leave_out_empty(std::vector<std::vector<double>>& rows, std::vector<std::in
 
 } // namespace
 
-std::optional<Section> space_time_section(Store const& store, Scene const& scene, OutputUnits const& units) {
+std::vector<std::string> space_time_pictures(Store const& store, Scene const& scene, OutputUnits const& units,
+                                             std::string const& of,
+                                             std::vector<std::string> const& quantities) {
   if (scene.profile.every == 0)
-    return std::nullopt;
+    return {};
   auto const time = store.read_doubles("profile/time" + units.time_key);
   auto const place = store.read_doubles("profile/position" + units.length_key);
   if (time.size() < least_profiles || place.size() < 2)
-    return std::nullopt;
+    return {};
   auto const number = store.read_integers("profile/number");
   auto const x = axis_of(scene.profile.axis + units.length_key), t = axis_of("time" + units.time_key);
-  Figure figure{
-      {}, "Profiles of the run over time, each slice a mean over its particles; white where there are none."};
+  std::vector<std::string> pictures;
   for (auto const& [quantity, key, components, component] : shown(scene, units)) {
-    if (!store.contains("profile/" + quantity + key))
+    bool const wanted = quantities.empty() || std::ranges::find(quantities, quantity) != quantities.end();
+    if (!wanted || !store.contains("profile/" + quantity + key))
       continue;
     auto rows = profile_rows(store, quantity + key, place.size(), components, component);
     leave_out_empty(rows, number);
     auto const colour = axis_of(quantity + key);
     for (auto& row : rows)
       row = scaled(row, colour.factor);
-    figure.svgs.push_back(draw_svg(ColourMap{.name = drawing_name("spacetime" + quantity),
-                                             .title = plain(quantity) + " in space and time",
-                                             .x_label = x.label,
-                                             .y_label = t.label,
-                                             .colour_label = colour.label,
-                                             .x = scaled(place, x.factor),
-                                             .y = thinned_rows(scaled(time, t.factor)),
-                                             .values = thinned_rows(rows)}));
+    pictures.push_back(
+        draw_svg(ColourMap{.name = drawing_name("spacetime" + quantity + of),
+                           .title = plain(quantity) + (of.empty() ? " in space and time" : ", " + of),
+                           .x_label = x.label,
+                           .y_label = t.label,
+                           .colour_label = colour.label,
+                           .x = scaled(place, x.factor),
+                           .y = thinned_rows(scaled(time, t.factor)),
+                           .values = thinned_rows(rows)}));
   }
+  return pictures;
+}
+
+std::optional<Section> space_time_section(Store const& store, Scene const& scene, OutputUnits const& units) {
+  Figure figure{
+      space_time_pictures(store, scene, units),
+      "Profiles of the run over time, each slice a mean over its particles; white where there are none."};
   if (figure.svgs.empty())
     return std::nullopt;
   return Section{"Space and time", {std::move(figure)}};

@@ -1,13 +1,8 @@
 #include "workflows/shock_study/shock_runs.hpp"
-#include "workflows/interrupt.hpp"
-#include "workflows/job_pool.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
-#include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/shock.hpp"
-#include "workflows/study/stored_part.hpp"
-#include "workflows/version.hpp"
+#include "workflows/study/driven_runs.hpp"
 #include <algorithm>
-#include <mutex>
 
 namespace mesobridge::workflows {
 
@@ -36,29 +31,6 @@ std::int64_t steps_of(PistonScene const& wanted, Scene const& scene) {
   return static_cast<std::int64_t>((way / v_S + ramp / 2) / wanted.dt);
 }
 
-void make_folder(std::filesystem::path const& folder) {
-  std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored); // writing there says what is wrong
-}
-
-/// From where the run that is in the folder goes on; nothing where there is none of this scene.
-std::optional<PastRun> past_in(RunFolder const& folder, Scene const& scene) {
-  if (!folder.has_checkpoint())
-    return std::nullopt;
-  try {
-    auto stored = read_checkpoint(folder.checkpoint());
-    resumed_scene(scene, stored.scene, stored.inputs, folder.checkpoint());
-    return past_run(std::move(stored));
-  } catch (InputError const&) {
-    return std::nullopt; // of another scene, or damaged: it begins again
-  }
-}
-
-Scene as_far_as(Scene scene, std::optional<PastRun> const& past, RunFolder const& folder) {
-  return past ? resumed_scene(std::move(scene), past->stored.scene, past->stored.inputs, folder.checkpoint())
-              : scene;
-}
-
 ShockRow row_of(ShockCase const& one, RunResult const& run, Store const& store) {
   auto const& settings = run.settings;
   ShockRow row{.model = one.model,
@@ -80,51 +52,14 @@ ShockRow row_of(ShockCase const& one, RunResult const& run, Store const& store) 
   return row;
 }
 
-ShockRow run_one(ShockCase const& one, std::filesystem::path const& directory, Context const& context,
-                 std::function<bool(std::uint64_t)> const& keep_going) {
-  make_folder(directory);
-  RunFolder const folder(directory);
-  auto past = past_in(folder, one.scene);
-  auto const scene = as_far_as(one.scene, past, folder);
-  try {
-    auto const run = run_scene(scene, {.directory = directory,
-                                       .threads = 1,
-                                       .past = std::move(past),
-                                       .command = context.command_line(),
-                                       .keep_going = keep_going});
-    return row_of(one, run, Store(folder.run_file(), Store::Mode::read));
-  } catch (PhysicsError const& error) {
-    return {.model = one.model,
-            .K = one.scene.particles.K,
-            .eta = one.scene.transport.eta,
-            .dt_reduced = one.scene.scheme.dt.value,
-            .particles = one.scene.particles.N,
-            .failure = error.what()};
-  }
+ShockRow failed(ShockCase const& one, std::string const& why) {
+  return {.model = one.model,
+          .K = one.scene.particles.K,
+          .eta = one.scene.transport.eta,
+          .dt_reduced = one.scene.scheme.dt.value,
+          .particles = one.scene.particles.N,
+          .failure = why};
 }
-
-/// The part of all steps that is done.
-class Share {
- public:
-  Share(std::vector<ShockCase> const& cases, Progress& progress) : progress_(progress) {
-    for (auto const& one : cases)
-      total_ += work_of(one.scene, one.scene.run.equilibrate + one.scene.run.steps);
-  }
-  void tell(Scene const& scene, std::uint64_t steps, double& told) {
-    std::lock_guard const lock(mutex_);
-    double const now = work_of(scene, static_cast<std::int64_t>(steps));
-    done_ += now - told, told = now;
-    progress_.update(std::min(1.0, done_ / total_), scene.title);
-  }
-
- private:
-  static double work_of(Scene const& scene, std::int64_t steps) {
-    return static_cast<double>(scene.particles.N) * static_cast<double>(steps);
-  }
-  Progress& progress_;
-  std::mutex mutex_;
-  double total_ = 0, done_ = 0;
-};
 
 } // namespace
 
@@ -137,6 +72,7 @@ Scene piston_scene(PistonScene const& wanted) {
   scene.particles.N = wanted.lattice[0] * wanted.lattice[1] * wanted.lattice[2];
   if (wanted.eos == "ideal-gas")
     scene.fluid.m0 = 1e-25;
+  scene.particles.density = wanted.density;
   if (wanted.as_in_the_thesis) {
     scene.particles.kernel = "cubic", scene.particles.density = "plain", scene.box.ramp = 0;
     if (wanted.eos != "ideal-gas") // whose particles the thesis gives 3/2 (K-1) k_B: free of their own motion
@@ -156,30 +92,18 @@ Scene piston_scene(PistonScene const& wanted) {
 
 std::vector<ShockRow> run_shocks(std::string const& title, std::vector<ShockCase> const& cases,
                                  ReproduceOptions const& options, Context const& context) {
-  auto const directory = options.directory / "runs";
-  auto progress = context.progress(title, 1);
-  Share share(cases, progress);
-  std::vector<ShockRow> rows(cases.size());
-  std::vector<std::function<void()>> jobs;
-  for (std::size_t k = 0; k < cases.size(); ++k)
-    jobs.push_back([&, k] {
-      auto const& one = cases[k];
-      make_folder(directory / one.name);
-      auto const identity = fmt::format("{}\n{}", resolved_toml(one.scene), git_commit());
-      double told = 0;
-      rows[k] = stored_or_made(directory / one.name / "row.json", identity, [&] {
-        return run_one(one, directory / one.name, context, [&](std::uint64_t steps) {
-          share.tell(one.scene, steps, told);
-          return !interrupt_requested();
-        });
-      });
-      if (!rows[k].failed()) {
-        auto const settings = settings_of(one.scene, 1);
-        rows[k].Re_l = front_reynolds_number(settings, *shock_before_piston(settings));
-      }
-    });
-  run_jobs(jobs, options.threads);
-  progress.finish();
+  std::vector<DrivenRun> runs;
+  for (auto const& one : cases)
+    runs.push_back({one.name, one.scene});
+  auto rows = run_study<ShockRow>(
+      title, runs, options, context,
+      [&](std::size_t k, RunResult const& run, Store const& store) { return row_of(cases[k], run, store); },
+      [&](std::size_t k, std::string const& why) { return failed(cases[k], why); });
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (!rows[k].failed()) {
+      auto const settings = settings_of(cases[k].scene, 1);
+      rows[k].Re_l = front_reynolds_number(settings, *shock_before_piston(settings));
+    }
   return rows;
 }
 

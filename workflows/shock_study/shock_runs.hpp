@@ -37,6 +37,7 @@ struct PistonScene {
   std::int64_t equilibrate; ///< steps
   std::uint64_t seed;
   bool as_in_the_thesis = false; ///< cubic kernel, plain sums, no ramp; argon: bulk equation of state
+  std::string density = "auto";  ///< as scenes name it, for others than the thesis's
 };
 Scene piston_scene(PistonScene const& wanted);
 

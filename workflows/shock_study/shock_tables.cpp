@@ -69,7 +69,7 @@ std::vector<NamedShock> argon_shocks(double rho, double T, double v_P) {
           {"lj-thol", "Thol et al.", argon_shock("lj-thol", rho, T, v_P)}};
 }
 
-ShockRow md_row(LjPistonData const& data, ShockOfRun const& shock) {
+ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {
   auto const& m = shock.measured;
   ShockRow row{.model = "MD",
                .K = 1,

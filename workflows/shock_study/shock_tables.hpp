@@ -24,7 +24,7 @@ fitting::Shock argon_shock(std::string const& material, double rho, double T, do
 std::vector<NamedShock> argon_shocks(double rho, double T, double v_P);
 
 /// The row of a run by molecular dynamics.
-ShockRow md_row(LjPistonData const& data, ShockOfRun const& shock);
+ShockRow md_row(PistonData const& data, ShockOfRun const& shock);
 
 /// v_S_m_s, rho_kg_m3, P_Pa, T_K.
 Json shock_json(fitting::Shock const& shock);

@@ -2,8 +2,10 @@
 #include "md/error.hpp"
 #include "workflows/scene/wish.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/study/driven_dt.hpp"
 #include "workflows/study/target.hpp"
 #include "workflows/study/tries.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
@@ -22,6 +24,11 @@ Scene trial_of(Scene const& scene) {
   return trial;
 }
 
+/// Whether something is wished of the fluid at rest.
+bool wants_quiet_trials(Scene const& scene) {
+  return (scene.scheme.drift && !wished_balance(scene.scheme)) || scene.scheme.bias;
+}
+
 TradeOffPlan plan_of(Scene const& scene) {
   auto const tries = tries_of(scene);
   return {.schemes = {scene.scheme.name},
@@ -36,18 +43,29 @@ TradeOffPlan plan_of(Scene const& scene) {
 } // namespace
 
 double largest_tried_dt(Scene const& scene) {
-  return tries_of(scene).dt.back();
+  return wants_quiet_trials(scene) ? tries_of(scene).dt.back() : largest_driven_dt(scene);
 }
 
 std::vector<PlannedTrial> time_step_trials(Scene const& scene) {
+  if (!wants_quiet_trials(scene))
+    return {};
   return planned_trials(trial_of(scene), plan_of(scene));
 }
 
-ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
+namespace {
+
+/// What the fluid at rest lets one take.
+struct Choice {
+  double dt;
+  std::string because;
+};
+
+Choice choose_at_rest(Scene const& scene, StudyOptions const& options) {
   Scene const trial = trial_of(scene);
   auto const plan = plan_of(scene);
+  auto const rate = wished_balance(scene.scheme) ? std::nullopt : scene.scheme.drift;
   auto const target =
-      parse_target(scene.scheme.drift, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());
+      parse_target(rate, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());
   auto const found = trade_off(trial, plan, options);
   auto const choice = largest_dt(found, 0, target);
   if (!choice)
@@ -55,9 +73,23 @@ ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options)
         fmt::format("scheme.dt = \"auto\": no time step of {} to {} meets {} with {}; wish for "
                     "less, or take another scheme or integrator (`mesobridge trade-off` compares them)",
                     plan.dt.front(), plan.dt.back(), wish_text(scene.scheme), scene.scheme.name));
-  return {with_time_step(scene, {.value = choice->dt}),
-          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}", choice->dt, wish_text(scene.scheme),
-                      choice->because)};
+  return {choice->dt, choice->because};
+}
+
+} // namespace
+
+ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options) {
+  Choice choice{largest_tried_dt(scene), "the largest time step that was run"};
+  if (wants_quiet_trials(scene))
+    choice = choose_at_rest(scene, options);
+  if (wished_balance(scene.scheme)) {
+    auto const driven =
+        find_balanced_time_step(scene, std::min(choice.dt, largest_driven_dt(scene)), options);
+    choice = {driven.dt, driven.longest ? choice.because : "the wanted energy balance"};
+  }
+  return {with_time_step(scene, {.value = choice.dt}),
+          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}", choice.dt, wish_text(scene.scheme),
+                      choice.because)};
 }
 
 Scene with_stored_time_step(Scene const& scene, Scene const& stored) {

@@ -3,9 +3,10 @@
 
 namespace mesobridge::workflows {
 
-/// A scene with dt = "auto" and the time step that a short trade-off of its own scheme finds for its wishes;
-/// the wish stays as `scheme.dt_chosen_for`. The same for any number of threads. Trials are stored in
-/// `options.directory`. Throws PhysicsError when no time step meets the wishes.
+/// A scene with dt = "auto" and the time step that a short trade-off of its own scheme finds for its wishes
+/// of the fluid at rest, and trials of its beginning for a wish on the energy balance; the wish stays as
+/// `scheme.dt_chosen_for`. The same for any number of threads. Trials are stored in `options.directory`.
+/// Throws PhysicsError when no time step meets the wishes.
 struct ChosenTimeStep {
   Scene scene;
   std::string why; ///< "dt = 0.12 reduced: limited by the wanted energy drift"
@@ -15,7 +16,7 @@ ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options)
 /// The largest time step that the study may choose, reduced.
 double largest_tried_dt(Scene const& scene);
 
-/// The runs of that study.
+/// The runs of that study with the fluid at rest; none where only a balance is wished for.
 std::vector<PlannedTrial> time_step_trials(Scene const& scene);
 
 /// The scene with the time step that the stored scene was given for the same wishes. Throws InputError when

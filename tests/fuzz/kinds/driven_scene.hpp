@@ -87,8 +87,8 @@ class DrivenScene {
     std::array<std::string, 3> faces{"periodic", "periodic", "periodic"};
     faces.at(axis_) = random_.chance(0.75) ? "walls" : "open";
     for (std::size_t d = 0; d < 3; ++d)
-      if (d != axis_ && random_.chance(0.15))
-        faces.at(d) = "open";
+      if (d != axis_ && random_.chance(0.3))
+        faces.at(d) = random_.chance(0.5) ? "open" : "walls";
     std::string text = fmt::format("[box]\nlattice = [{}, {}, {}]\nx = \"{}\"\ny = \"{}\"\nz = \"{}\"\n",
                                    lattice[0], lattice[1], lattice[2], faces[0], faces[1], faces[2]);
     auto const quote = [&](std::string const& value) {
@@ -96,6 +96,12 @@ class DrivenScene {
     };
     if (faces.at(axis_) == "walls" && random_.chance(0.85)) {
       double along = random_.chance(0.8) ? v : -v;
+      text += fmt::format("moving = \"{}\"\n", "xyz"[axis_]);
+      if (double none = 0, later = 2 * ramp; random_.chance(0.2))
+        return text + fmt::format("piston_times = [{}, {}, {}]\npiston_velocities = [{}, {}, {}]\n",
+                                  quote(fmt::format(time, none)), quote(fmt::format(time, ramp)),
+                                  quote(fmt::format(time, later)), quote(fmt::format(velocity, none)),
+                                  quote(fmt::format(velocity, along)), quote(fmt::format(velocity, none)));
       text += "piston = " + quote(fmt::format(velocity, along)) + "\n";
       if (double none = 0; random_.chance(0.6))
         text +=

@@ -40,7 +40,7 @@ TEST(Measurements, HaveANumberForEachComponentThatThreadsDoNotChange) {
       (measured.in_every_run() ? of_every_run : asked) += 1;
     }
   }
-  EXPECT_EQ(of_every_run, 8 + 8 + 6); // of SDPD, DPDE, DPD
+  EXPECT_EQ(of_every_run, 8 + 10 + 8 + 6); // of SDPD, DPDE, DPD
   EXPECT_GE(asked, 4);
 }
 

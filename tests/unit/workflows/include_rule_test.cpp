@@ -35,8 +35,8 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
 /// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
 std::vector<std::string> const rooms{
     "simd",        "threads",        "state",      "start",  "kernel",  "potential", "friction",
-    "conduction",  "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
-    "fluctuation", "scheme",         "method",     "observe", "",          "setup"};
+    "conduction",  "kinetics",       "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
+    "fluctuation", "reaction", "scheme",         "method",     "observe", "",          "setup"};
 
 std::string room_of(std::filesystem::path const& file) {
   return file.parent_path().filename() == "sdpd" ? "" : file.parent_path().filename().string();

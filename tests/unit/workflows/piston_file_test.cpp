@@ -26,13 +26,13 @@ md::PistonSlices slices(md::LjPistonSettings const& of, double time) {
           .P = std::vector<double>(n, 7.0)};
 }
 
-TEST(LjPistonFile, HoldsArgonInSi) {
+TEST(PistonFile, HoldsArgonInSi) {
   ScratchDirectory const scratch;
   auto const of = settings();
-  LjPistonFile file(scratch / "p.h5", of, {});
+  PistonFile file(scratch / "p.h5", info_of(of), {});
   file.append(slices(of, 0.5)), file.append(slices(of, 1));
   file.close(true);
-  auto const data = read_lj_piston(scratch / "p.h5");
+  auto const data = read_piston(scratch / "p.h5");
   EXPECT_TRUE(data.complete);
   EXPECT_EQ(data.atoms, 320);
   EXPECT_NEAR(data.scale.v_P, 500, 1e-9);
@@ -49,15 +49,15 @@ TEST(LjPistonFile, HoldsArgonInSi) {
   EXPECT_NEAR(last.rho[3] / (2 * 6.64e-26 / (area * width)), 1, 1e-9);
 }
 
-TEST(LjPistonFile, IsReadAsFarAsItGoes) {
+TEST(PistonFile, IsReadAsFarAsItGoes) {
   ScratchDirectory const scratch;
-  LjPistonFile(scratch / "p.h5", settings(), {}).close(false);
-  auto const data = read_lj_piston(scratch / "p.h5");
+  PistonFile(scratch / "p.h5", info_of(settings()), {}).close(false);
+  auto const data = read_piston(scratch / "p.h5");
   EXPECT_FALSE(data.complete);
   EXPECT_TRUE(data.frames.empty());
   Store(scratch / "other.h5", Store::Mode::create).close();
-  EXPECT_THROW(read_lj_piston(scratch / "other.h5"), InputError);
-  EXPECT_THROW(read_lj_piston(scratch / "none.h5"), InputError);
+  EXPECT_THROW(read_piston(scratch / "other.h5"), InputError);
+  EXPECT_THROW(read_piston(scratch / "none.h5"), InputError);
 }
 
 } // namespace

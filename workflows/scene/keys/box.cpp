@@ -28,7 +28,7 @@ std::vector<SceneKey> box_keys() {
       face('y', &Scene::Box::y),
       face('z', &Scene::Box::z),
       box("piston", &Scene::Box::piston,
-          "velocity of the lower wall, into the fluid, after the equilibration")
+          "velocity of the lower wall, into the fluid, after the equilibration; see also piston_times")
           .quantity(Dimension::velocity, any_number),
       box("ramp", &Scene::Box::ramp,
           "time in which the piston comes to its velocity, or it overheats the fluid before it for ever; too "
@@ -37,6 +37,19 @@ std::vector<SceneKey> box_keys() {
           "the shock, "
           "which is the default for sdpd; 0 for dpde and dpd")
           .quantity(Dimension::time, not_negative),
+      box("piston_times", &Scene::Box::piston_times,
+          "a table in place of piston and ramp: from 0 on, rising, counted from the end of the equilibration")
+          .quantity(Dimension::time, not_negative)
+          .of_any_length(),
+      box("piston_velocities", &Scene::Box::piston_velocities,
+          "of the lower wall at each of those times; linear between them, and the last one is kept")
+          .quantity(Dimension::velocity, any_number)
+          .of_any_length(),
+      box("piston_file", &Scene::Box::piston_file,
+          "the same table as CSV with the columns t_s, v_m_s (lj units: t, v)"),
+      box("moving", &Scene::Box::moving,
+          "the axis whose walls move, by piston or slide; needed where walls are across several axes")
+          .choices({"x", "y", "z"}),
       box("slip", &Scene::Box::slip,
           "\"none\": walls with the friction of the fluid, and the noise of their temperature; \"free\": "
           "mirrors "
@@ -45,6 +58,10 @@ std::vector<SceneKey> box_keys() {
       box("wall_temperature", &Scene::Box::wall_temperature,
           "of walls with slip = \"none\"; that of the fluid, if not given")
           .quantity(Dimension::temperature, positive),
+      box("wall_heat", &Scene::Box::wall_heat,
+          "of walls with slip = \"none\". \"bath\": heat goes to and comes from walls at their temperature; "
+          "\"none\": the walls are adiabatic, the heat of friction stays in the fluid (sdpd, dpde)")
+          .choices({"bath", "none"}),
       box("wall_friction", &Scene::Box::wall_friction,
           "factor of the friction with walls of slip = \"none\"; if not given, one that makes up for what "
           "moving "
@@ -55,6 +72,9 @@ std::vector<SceneKey> box_keys() {
           "Couette's "
           "flow")
           .quantity(Dimension::velocity, any_number),
+      box("slide_ramp", &Scene::Box::slide_ramp,
+          "time in which the sliding wall comes to its velocity; at once, if not given")
+          .quantity(Dimension::time, not_negative),
       box("body_force", &Scene::Box::body_force,
           "acceleration of all particles along the flow, after the equilibration: between walls Poiseuille's "
           "flow. Without walls to take the heat, sdpd and dpde need energy = \"kept\", which does")

@@ -25,6 +25,7 @@ struct Line {
   Line written_if(std::function<bool(Scene const&)> condition) && {
     return key.written = std::move(condition), std::move(*this);
   }
+  Line of_any_length() && { return key.any_length = true, std::move(*this); }
   Line required() && { return key.required = true, std::move(*this); }
   Line choices(std::vector<std::string> c) && { return key.choices = std::move(c), std::move(*this); }
   Line formerly(std::string old, std::string now) && {

@@ -11,6 +11,10 @@ bool asks_for_series(Scene const& scene) {
   return scene.series != Scene::Series{};
 }
 
+bool asks_for_film(Scene const& scene) {
+  return scene.film != Scene::Film{};
+}
+
 /// "name (what it is; components; passes over all pairs)" for each measurement that may be asked for.
 std::string series_text() {
   std::vector<std::string> texts;
@@ -34,6 +38,7 @@ std::string series_text() {
 std::vector<SceneKey> observe_keys() {
   Table const profile{"profile", &Scene::profile};
   Table const histogram{"histogram", &Scene::histogram};
+  Table const film{"film", &Scene::film};
   return {
       profile("axis", &Scene::Profile::axis, "direction of the profile: its slices are perpendicular to it")
           .choices({"x", "y", "z"}),
@@ -73,6 +78,22 @@ std::vector<SceneKey> observe_keys() {
           "series", "quantities", [](Scene& s) { return &s.series.quantities; }, series_text())
           .choices(names_of(series_quantities()))
           .written_if(asks_for_series),
+      film("quantity", &Scene::Film::quantity,
+           "a film of the particles of a slab, coloured by T, eps (not dpd), rho, P (sdpd) or a component of their "
+           "velocity: under `film` of run.h5, as a strip in the report, and as pictures (run --frames). If not "
+           "given, there is none")
+          .choices(names_of(film_quantities()))
+          .written_if(asks_for_film),
+      film("every", &Scene::Film::every, "steps between its frames; 0: a fifth of run.steps, which makes six")
+          .in(not_negative)
+          .written_if(asks_for_film),
+      film("axis", &Scene::Film::axis, "along which one looks; if not given, along the shorter edge of x and y")
+          .choices({"x", "y", "z"})
+          .written_if(asks_for_film),
+      film("thickness", &Scene::Film::thickness,
+           "of the slab, in the middle of the box; if not given, the mean distance between particles")
+          .quantity(Dimension::length, positive)
+          .written_if(asks_for_film),
   };
 }
 

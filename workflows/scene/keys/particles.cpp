@@ -37,10 +37,15 @@ std::vector<SceneKey> particle_keys() {
           "mean "
           "density is, and follows a compression; for fluids almost without pressure), and written into the "
           "next "
-          "two keys. It is not repeated when they are there. auto: calibrated, by the response where the "
+          "two keys. It is not repeated when they are there. calibrated-shocked: the same in the state "
+          "behind "
+          "the "
+          "piston's shock, by the relations of Rankine and Hugoniot. auto: calibrated, by the response where "
+          "the "
           "pressure "
           "is too small; plain where there is no noise, nothing moves or the fluid is under tension")
-          .choices({"auto", "plain", "glass", "given", "calibrated", "calibrated-response"})
+          .choices(
+              {"auto", "plain", "glass", "given", "calibrated", "calibrated-response", "calibrated-shocked"})
           .of<sdpd::Sdpd>(),
       particles("density_scale", &Scene::Particles::density_scale,
                 "c; with density = given, calibrated or auto")

@@ -1,7 +1,6 @@
 #include "sdpd/potential/list.hpp"
 #include "workflows/scene/keys/line.hpp"
 #include "workflows/scene/keys/tables.hpp"
-#include <algorithm>
 #include <fmt/ranges.h>
 
 // The keys of the pair potentials, as these describe themselves.
@@ -9,19 +8,12 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::string names_with(sdpd::Parameter const& parameter) {
-  std::vector<std::string_view> names;
-  for (auto const& kind : sdpd::potentials())
-    if (std::ranges::find(kind.parameters, parameter.name, &sdpd::Parameter::name) != kind.parameters.end())
-      names.push_back(kind.name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 SceneKey key_of(sdpd::Parameter const& parameter) {
   SceneKey key = Line(
                      "potential", std::string(parameter.name),
                      [name = parameter.name](Scene& s) { return &s.potential.parameters[name]; },
-                     fmt::format("{}; {}", parameter.meaning, names_with(parameter)))
+                     fmt::format("{}; {}", parameter.meaning,
+                                 fmt::join(names_with(sdpd::potentials(), parameter.name), ", ")))
                      .in(parameter.range)
                      .of<sdpd::Dpde, sdpd::Dpd>();
   key.dimension = parameter.dimension;
@@ -45,23 +37,8 @@ SceneKey key_of_names() {
 
 } // namespace
 
-/// In an order that keeps each potential's own: a new parameter stands before those of its potential that
-/// are there already.
 std::vector<sdpd::Parameter> potential_parameters() {
-  std::vector<sdpd::Parameter> all;
-  auto const place = [&](std::string_view name) {
-    return std::ranges::find(all, name, &sdpd::Parameter::name);
-  };
-  for (auto const& kind : sdpd::potentials())
-    for (std::size_t k = 0; k < kind.parameters.size(); ++k) {
-      if (place(kind.parameters[k].name) != all.end())
-        continue;
-      auto before = all.end();
-      for (std::size_t later = k + 1; later < kind.parameters.size(); ++later)
-        before = std::min(before, place(kind.parameters[later].name));
-      all.insert(before, kind.parameters[k]);
-    }
-  return all;
+  return parameters_of(sdpd::potentials());
 }
 
 std::vector<SceneKey> potential_keys() {

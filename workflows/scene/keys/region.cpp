@@ -57,6 +57,10 @@ std::vector<SceneKey> region_keys(std::size_t index) {
       region("T", &Region::T, "temperature at the start; if not given, fluid.T")
           .quantity(Dimension::temperature, positive)
           .of<sdpd::Sdpd, sdpd::Dpde>(),
+      region("progress", &Region::progress,
+             "of the reaction at the start, 1 for products; if not given, reaction.progress")
+          .in(sdpd::SdpdReaction::shares)
+          .of<sdpd::Sdpd>(),
       region("velocity", &Region::velocity, "along x, y and z at the start; if not given, at rest")
           .quantity(Dimension::velocity, any_number),
       region("velocity_gradient", &Region::velocity_gradient,

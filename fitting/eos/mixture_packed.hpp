@@ -1,0 +1,118 @@
+#pragma once
+#include "fitting/eos/mixture.hpp"
+#include "fitting/eos/packed.hpp"
+
+namespace mesobridge::fitting {
+
+/// Where a particle that reacts counts as one of the pure components, which moves no energy: a trace of the
+/// other one changes P by less than 1e-4, and may have no stable state (a reactant in hot thin products).
+struct PureProgress {
+  double reactant_below = 1e-4, product_above = 1 - 1e-6;
+};
+
+enum class Component { reactant, product, mixed };
+
+/// Progress outside [0, 1] counts as mixed, whose solution refuses it.
+inline Component component(double lambda, PureProgress const& pure = {}) {
+  if (lambda >= 0 && lambda < pure.reactant_below)
+    return Component::reactant;
+  return lambda <= 1 && lambda > pure.product_above ? Component::product : Component::mixed;
+}
+
+/// As MixtureSplit.
+struct PackedSplit {
+  Pack T, log_density_ratio;
+};
+
+/// Whether a model has isochores of packs that say all that a mixture asks.
+template <class E>
+concept PackedPart = PackedModel<E> && requires(E const& eos, Pack x) {
+  { packed_isochore(eos, x).entropy(x) } -> std::convertible_to<Pack>;
+  { packed_isochore(eos, x).pressure_slope(x) } -> std::convertible_to<Pack>;
+  { packed_isochore(eos, x).pressure_density_slope(x) } -> std::convertible_to<Pack>;
+};
+
+/// A register full of mixtures, solved together by Newton's method from near guesses as Mixture solves one.
+/// Lanes that it does not solve (a far guess, no equilibrium, 0 < lambda < 1 violated, a NaN) are false in
+/// the mask, and go the careful way of Mixture, which answers or names why not. A lane's results do not
+/// depend on what the other lanes hold.
+template <PackedPart Reactant, PackedPart Product>
+class PackedMixture {
+ public:
+  template <class E>
+  using IsochoreOf = decltype(packed_isochore(std::declval<E const&>(), Pack()));
+  using At = MixtureAt<Pack, IsochoreOf<Reactant>, IsochoreOf<Product>>;
+
+  /// Keeps the mixture by reference.
+  explicit PackedMixture(Mixture<Reactant, Product> const& mixture) : mixture_(mixture) {}
+
+  /// What the mixture is at a split.
+  At at(Pack lambda, Pack rho, PackedSplit const& split) const {
+    auto const d = mixture_densities(mixture_.law(), lambda, rho, split.log_density_ratio);
+    return {lambda,
+            rho,
+            split.T,
+            d.share,
+            {packed_isochore(mixture_.reactant(), d.reactant), d.reactant, split.T},
+            {packed_isochore(mixture_.product(), d.product), d.product, split.T}};
+  }
+  /// The lanes at which both models hold and the parts are stable.
+  PackMask covered(At const& at) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return between(at.lambda, 0, 1) & covers(mixture_.reactant(), at.reactant.rho, at.T) &
+           covers(mixture_.product(), at.product.rho, at.T) & between(at.reactant.rho_P_rho, 0, infinity) &
+           between(at.product.rho_P_rho, 0, infinity);
+  }
+
+  /// The split at the given energies or entropies, from that of near states, and the lanes that were solved:
+  /// the last step was below 1e-8, which leaves round-off only.
+  struct Solution {
+    PackedSplit split;
+    PackMask solved;
+  };
+  Solution from_energy(Pack lambda, Pack rho, Pack e, PackedSplit const& guess) const {
+    return newton(lambda, rho, guess, [&](At const& at) {
+      return Equation{e - at.energy(), at.energy_r(), at.energy_T()};
+    });
+  }
+  Solution from_entropy(Pack lambda, Pack rho, Pack s, PackedSplit const& guess) const {
+    return newton(lambda, rho, guess, [&](At const& at) {
+      return Equation{s - at.entropy(), at.entropy_r(), at.entropy_T()};
+    });
+  }
+
+ private:
+  struct Equation {
+    Pack rest, by_r, by_T;
+  };
+  static Pack magnitude(Pack x) { return select(x.v < 0, -x, x); }
+
+  template <class F>
+  Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& equation) const {
+    constexpr double last_step = 1e-8, longest_step = 0.5;
+    constexpr int most_steps = 12;
+    PackMask running = ~PackMask{}, solved{};
+    for (int step = 0; step < most_steps && !all_of(~running); ++step) {
+      At const here = at(lambda, rho, split);
+      running &= covered(here);
+      auto const [rest, by_r, by_T] = equation(here);
+      Pack const inverse = 1.0 / here.gap_r(), r_T = -here.gap_T() * inverse,
+                 r_gap = -here.pressure_gap() * inverse;
+      Pack const dT = (rest - by_r * r_gap) / (by_T + by_r * r_T), dr = r_gap + r_T * dT;
+      Pack const T_change = magnitude(dT) / split.T, r_change = magnitude(dr);
+      Pack const longest = select(T_change.v > r_change.v, T_change, r_change);
+      Pack const fraction = select(longest.v > longest_step, longest_step / longest, 1.0);
+      split.T = select(running, split.T + fraction * dT, split.T);
+      split.log_density_ratio =
+          select(running, split.log_density_ratio + fraction * dr, split.log_density_ratio);
+      auto const arrived = running & (longest.v < last_step);
+      solved |= arrived;
+      running &= ~arrived;
+    }
+    return {split, solved};
+  }
+
+  Mixture<Reactant, Product> const& mixture_;
+};
+
+} // namespace mesobridge::fitting

@@ -1,0 +1,71 @@
+#pragma once
+#include "md/lammps_session.hpp"
+#include "md/lj_fluid.hpp"
+
+namespace mesobridge::md {
+
+/// Means over the atoms of slices of equal width along z, at one instant (md/README.md, Eq. (M10)). A slice
+/// without atoms holds 0, as has P with a single one.
+struct PistonSlices {
+  std::int64_t step = 0;
+  double time = 0, piston = 0;  ///< since the piston began to move, and where it is
+  std::vector<double> number;   ///< of atoms
+  std::vector<double> velocity; ///< along z
+  std::vector<double> T;        ///< of the motion across: along z the fluid flows
+  std::vector<double> P;        ///< P_zz: the motion about the mean velocity and the virial, without a tail
+};
+
+struct PistonConsumers {
+  std::function<bool(PistonSlices const&)> slices; ///< false stops the run at once
+  StepConsumer steps;                              ///< of all, those to equilibrium among them
+};
+
+/// A box along z between a piston at its lower face and a wall at the upper one, in the units of its LAMMPS.
+struct PistonBox {
+  double length, area; ///< along z, and across
+  double v_P, dt;
+  int slices;
+  std::int64_t sample_every; ///< steps
+};
+
+/// What LAMMPS's units make of an atom of one kind: k_B T = energy_of_mv2 m v^2 of one component, and
+/// pressures are pressure_of_energy times energies per volume.
+struct PistonUnits {
+  double mass = 1, energy_of_mv2 = 1, pressure_of_energy = 1, boltzmann = 1;
+};
+
+/// Atoms at rest that are given a piston: walls in place of the periodicity along z, and the slices. All
+/// ranks of the world call it together; the consumers of rank 0 are asked.
+class PistonDrive {
+ public:
+  PistonDrive(MpiWorld const& world, LammpsSession& lammps, PistonBox const& box, PistonUnits const& units,
+              PistonConsumers const& consumers)
+      : world_(world), lammps_(lammps), box_(box), units_(units), consumers_(consumers) {}
+
+  /// Runs on before the piston moves, in short pieces. False when a consumer stopped it.
+  bool settle(std::int64_t steps);
+
+  /// Ends the periodicity along z and the time so far; every atom has its thermal velocity.
+  void put_walls();
+
+  /// Lets the piston move for so many steps. False when a consumer stopped it. Throws PhysicsError that
+  /// begins with `what` when the motion becomes unstable.
+  bool drive(std::int64_t steps, std::string const& what);
+
+ private:
+  void declare_slices();
+  std::vector<double> sum(std::string const& name);
+  PistonSlices slices_at(std::int64_t step, std::string const& what);
+  bool told(std::int64_t steps);
+  template <class Question>
+  bool asked(Question const& question);
+
+  MpiWorld const& world_;
+  LammpsSession& lammps_;
+  PistonBox box_;
+  PistonUnits units_;
+  PistonConsumers const& consumers_;
+  std::int64_t steps_done_ = 0;
+};
+
+} // namespace mesobridge::md

@@ -1,0 +1,159 @@
+#include "sdpd/reaction/reaction.hpp"
+#include "sdpd/reaction/rates.hpp"
+#include "sdpd/thermodynamics/reacting.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+constexpr double most_parts = 1e5; ///< of a time step
+
+/// d lambda/dt of particle i.
+double speed(System const& system, std::size_t i) {
+  double const progress = system.particles.progress[i];
+  return system.rates[i].forward * (1 - progress) - system.rates[i].backward * progress;
+}
+
+/// The largest over the particles of f(i) >= 0.
+template <class F>
+double largest(System const& system, F const& f) {
+  std::vector<double> parts((system.size() + range_length - 1) / range_length);
+  for_each_range(system, [&](Range range) {
+    double most = 0;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      if (double const value = f(i); !(value <= most)) // which NaN is not
+        most = value;
+    parts[range.begin / range_length] = most;
+  });
+  double most = 0;
+  for (double const part : parts)
+    if (!(part <= most))
+      most = part;
+  return most;
+}
+
+/// In how many parts of a time the rates of now may be taken as constant.
+template <class Law>
+double parts_of(System const& system, Law const& law, double time) {
+  auto const& of = system.particles;
+  double const parts =
+      std::ceil(time * largest(system, [&](std::size_t i) {
+                  double const c = 1 / (of.caloric[i].inverse_C_0 * of.mass_of(i));
+                  return std::abs(speed(system, i)) / law.longest_change(of.T[i], c, system.reaction->heat);
+                }));
+  if (!(parts <= most_parts))
+    throw PhysicsError(
+        fmt::format("step {} (dt = {:.6g} reduced): the reaction is so fast that it would take "
+                    "{} parts of the time step; take a shorter one",
+                    system.step, system.dt, parts));
+  return std::max(parts, 1.0);
+}
+
+/// lambda and eps after the time h at the rates, from those of the start: exactly, d lambda/dt = A - (A + B)
+/// lambda (sdpd/README.md, Eq. (S65)).
+void advance(System& system, double h) {
+  auto& of = system.particles;
+  auto const& start = system.reaction_start;
+  for_each_index(system.size(), system.threads, [&](std::size_t i) {
+    auto const [A, B] = system.rates[i];
+    double const both = A + B, before = start.progress[i];
+    double const after = both > 0 ? before + (A / both - before) * -std::expm1(-both * h) : before;
+    of.progress[i] = after;
+    of.eps[i] = start.eps[i] + system.reaction->heat * of.mass_of(i) * (after - before);
+  });
+}
+
+void note_start(System& system) {
+  auto& start = system.reaction_start;
+  start.progress.resize(system.size()), start.eps.resize(system.size());
+  for_each_index(system.size(), system.threads, [&](std::size_t i) {
+    start.progress[i] = system.particles.progress[i], start.eps[i] = system.particles.eps[i];
+  });
+}
+
+/// A change of lambda whose heat changes no rate by more than about 1e-9.
+constexpr double without_heat = 1e-10;
+
+/// T, S and P of the particles whose lambda has changed by more than so much since the start.
+void follow(System& system, double change) {
+  Failure failure;
+  auto const& of = system.particles;
+  auto const& start = system.reaction_start;
+  auto const changed = [&](std::size_t i) {
+    return std::abs(of.progress[i] - start.progress[i]) > change &&
+           (of.eps[i] != start.eps[i] || of.progress[i] >= pure_below);
+  };
+  for_each_range(system, [&](Range range) {
+    for (std::size_t begin = range.begin, end = begin; begin < range.end; begin = end) {
+      bool const some = changed(begin);
+      while (end < range.end && changed(end) == some)
+        ++end;
+      if (some)
+        system.thermodynamics->from_energy(system.particles, {begin, end}, failure);
+    }
+  });
+  system.stop_at(failure);
+}
+
+template <class Law>
+void react(System& system, Law const& law, double dt) {
+  for (double left = dt; left > 0;) {
+    note_start(system);
+    find_rates(system, law, left);
+    double const parts = parts_of(system, law, left), h = left / parts;
+    if (system.reaction->integrator == RateIntegrator::midpoint) {
+      advance(system, 0.5 * h);
+      follow(system, without_heat);
+      find_rates(system, law, h);
+    }
+    advance(system, h);
+    left = parts > 1 ? left - h : 0;
+    if (left > 0)
+      follow(system, 0);
+  }
+}
+
+/// A front that nobody asks.
+void react(System& system, PrescribedBurn const& law, double) {
+  auto& of = system.particles;
+  for_each_index(system.size(), system.threads, [&](std::size_t i) {
+    double const before = of.progress[i];
+    of.progress[i] = law.progress(before, of.q[i].z, system.reaction_time);
+    of.eps[i] += system.reaction->heat * of.mass_of(i) * (of.progress[i] - before);
+  });
+}
+
+/// Sees to it that mixtures have a state next time, too; energies and densities stay as they are, but for the
+/// heat of what burns up.
+void keep_balances(System& system) {
+  auto& of = system.particles;
+  for_each_index(system.size(), system.threads, [&](std::size_t i) {
+    switch (system.thermodynamics->fate(of, static_cast<Index>(i))) {
+    case MixtureFate::goes_on:
+      break;
+    case MixtureFate::burns_up:
+      of.eps[i] += system.reaction->heat * of.mass_of(i) * (1 - of.progress[i]);
+      of.progress[i] = 1;
+      break;
+    case MixtureFate::counts_as_reactant:
+      of.log_density_ratio[i] = no_product;
+      break;
+    case MixtureFate::mixes_again:
+      of.log_density_ratio[i] = 0; // a search will find it
+    }
+  });
+}
+
+} // namespace
+
+SubStep reaction(System const&, double dt) {
+  using enum Conserved;
+  return {.name = "reaction", .conserves = {positions, momenta, energy}, .run = [=](System& system) {
+            if (system.walls_held)
+              return;
+            system.reaction_time += dt;
+            std::visit([&](auto const& law) { react(system, law, dt); }, system.reaction->kinetics);
+            keep_balances(system);
+          }};
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,166 @@
+#include "sdpd/thermodynamics/reacting.hpp"
+
+namespace mesobridge::sdpd {
+namespace {
+
+enum class Kind { reactant, mixed, product };
+
+Kind kind_of(Particles const& of, std::size_t i) {
+  double const progress = of.progress[i];
+  return progress < pure_below                   ? Kind::reactant
+         : progress > pure_above                 ? Kind::product
+         : of.log_density_ratio[i] == no_product ? Kind::reactant
+                                                 : Kind::mixed;
+}
+
+double molecular_mass(fitting::AnyEos const& any) {
+  return std::visit([](auto const& eos) { return eos.molecular_mass(); }, any);
+}
+
+/// Particles of mass 1 of the product, however many of its molecules that is.
+std::unique_ptr<Thermodynamics const> product_of(ReactingModels const& models, ReducedUnits const& units,
+                                                 CentreOfMass centre_of_mass) {
+  return make_thermodynamics(models.product, units, centre_of_mass,
+                             {.K = units.mass() / molecular_mass(models.product), .mass = 1});
+}
+
+/// Hands pure particles on to the models of reactant and product, neighbours in memory of the same kind
+/// together, and solves the mixture of each of the others.
+class Reacting final : public Thermodynamics {
+ public:
+  Reacting(ReactingModels const& models, ReducedUnits const& units, CentreOfMass centre_of_mass)
+      : reactant_(make_thermodynamics(models.reactant, units, centre_of_mass)),
+        product_(product_of(models, units, centre_of_mass)), mixed_(models, units, centre_of_mass) {}
+
+  void from_entropy(Particles& of, Range range, Failure& failure) const override {
+    for_each_run(
+        of, range, failure, [&](auto const& pure, Range run) { pure.from_entropy(of, run, failure); },
+        [&](std::size_t i) {
+          auto const state = mixed_.from_entropy(of.progress[i], of.rho[i], of.S[i], of.eps[i], split(of, i));
+          of.eps[i] = state.eps;
+          take(of, i, state.split);
+        });
+  }
+  void from_energy(Particles& of, Range range, Failure& failure) const override {
+    for_each_run(
+        of, range, failure, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
+        [&](std::size_t i) {
+          try {
+            auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], split(of, i));
+            of.S[i] = state.S;
+            take(of, i, state.split);
+          } catch (PhysicsError const&) {
+            if (of.progress[i] >= hardly_burnt)
+              throw;
+            of.log_density_ratio[i] = no_product;
+            reactant_->from_energy(of, {i, i + 1}, failure);
+          }
+        });
+  }
+  void response(Particles& of, Range range, Failure& failure) const override {
+    for_each_run(
+        of, range, failure, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
+        [&](std::size_t i) { set_response(of, i); });
+  }
+  void energy_from_temperature(Particles& of, Range range, Failure& failure) const override {
+    for_each_run(
+        of, range, failure,
+        [&](auto const& pure, Range run) { pure.energy_from_temperature(of, run, failure); },
+        [&](std::size_t i) {
+          of.eps[i] = mixed_.energy_from_temperature(of.progress[i], of.rho[i], of.T[i]);
+        });
+  }
+
+  ThermalState state(Particles const& of, Index i, double eps) const override {
+    if (auto const* const pure = pure_of(of, i))
+      return pure->state(of, i, eps);
+    auto const state = mixed_.from_energy(of.progress[i], of.rho[i], eps, split(of, i));
+    return {state.split.T, state.S,
+            mixed_.response(of.progress[i], of.rho[i], state.split).caloric.inverse_C_0};
+  }
+  Caloric caloric(Particles const& of, Index i, double eps, double T_guess) const override {
+    if (auto const* const pure = pure_of(of, i))
+      return pure->caloric(of, i, eps, T_guess);
+    auto const state = mixed_.from_energy(of.progress[i], of.rho[i], eps, {T_guess, of.log_density_ratio[i]});
+    return mixed_.response(of.progress[i], of.rho[i], state.split).caloric;
+  }
+  std::optional<double> constant_heat_capacity() const override { return std::nullopt; }
+  double heat_capacity(Particles const& of, Index i) const override {
+    if (auto const* const pure = pure_of(of, i))
+      return pure->heat_capacity(of, i);
+    return 1 / mixed_.response(of.progress[i], of.rho[i], split(of, i)).caloric.inverse_C_0;
+  }
+  MixtureFate fate(Particles const& of, Index i) const override {
+    double const progress = of.progress[i];
+    if (progress < pure_below || progress > pure_above)
+      return MixtureFate::goes_on;
+    if (of.log_density_ratio[i] == no_product)
+      return progress >= hardly_burnt || mixes(of, i) ? MixtureFate::mixes_again : MixtureFate::goes_on;
+    auto const [reactant, product] = mixed_.stiffness(progress, of.rho[i], split(of, i));
+    if (progress >= nearly_burnt && !(reactant > weak))
+      return MixtureFate::burns_up;
+    return progress < hardly_burnt && !(product > weak) ? MixtureFate::counts_as_reactant
+                                                        : MixtureFate::goes_on;
+  }
+
+ private:
+  /// A part whose bulk modulus is so many times the pressure, or less, is about to end; one that begins again
+  /// is stiffer.
+  static constexpr double weak = 1, stiff = 1.5;
+
+  /// Whether a particle that counts as reactant could be a mixture for some time.
+  bool mixes(Particles const& of, std::size_t i) const {
+    try {
+      auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], {of.T[i], 0});
+      return mixed_.stiffness(of.progress[i], of.rho[i], state.split).product > stiff;
+    } catch (PhysicsError const&) {
+      return false;
+    }
+  }
+  Thermodynamics const* pure_of(Particles const& of, std::size_t i) const {
+    auto const kind = kind_of(of, i);
+    return kind == Kind::mixed ? nullptr : kind == Kind::reactant ? reactant_.get() : product_.get();
+  }
+  static MixedParticle::Split split(Particles const& of, std::size_t i) {
+    return {of.T[i], of.log_density_ratio[i]};
+  }
+  void take(Particles& of, std::size_t i, MixedParticle::Split const& split) const {
+    of.T[i] = split.T, of.log_density_ratio[i] = split.log_density_ratio;
+    set_response(of, i);
+  }
+  [[gnu::noinline]] void set_response(Particles& of, std::size_t i) const {
+    auto const response = mixed_.response(of.progress[i], of.rho[i], split(of, i));
+    of.P[i] = response.P, of.caloric[i] = response.caloric;
+  }
+  template <class Pure, class Mixed>
+  void for_each_run(Particles const& of, Range range, Failure& failure, Pure const& pure,
+                    Mixed const& mixed) const {
+    for (std::size_t begin = range.begin, end = begin; begin < range.end; begin = end) {
+      auto const kind = kind_of(of, begin);
+      while (end < range.end && kind_of(of, end) == kind)
+        ++end;
+      if (kind != Kind::mixed)
+        pure(kind == Kind::reactant ? *reactant_ : *product_, Range{begin, end});
+      else
+        for (std::size_t i = begin; i < end; ++i)
+          try {
+            mixed(i);
+          } catch (std::exception const& error) {
+            failure.report(of.id[i], error.what());
+          }
+    }
+  }
+
+  std::unique_ptr<Thermodynamics const> reactant_, product_;
+  MixedParticle mixed_;
+};
+
+} // namespace
+
+std::unique_ptr<Thermodynamics const> make_reacting_thermodynamics(ReactingModels const& models,
+                                                                   ReducedUnits const& units,
+                                                                   CentreOfMass centre_of_mass) {
+  return std::make_unique<Reacting>(models, units, centre_of_mass);
+}
+
+} // namespace mesobridge::sdpd

@@ -1,0 +1,54 @@
+#include "error_text.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/metal/hugoniot_reference.hpp"
+#include "workflows/metal/metal_table.hpp"
+#include "workflows/text_file.hpp"
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+cg::HugoniotPoint point(double v_P, double v_S) {
+  double const rho0 = 2700, rho = rho0 * v_S / (v_S - v_P);
+  return {.initial = {rho0, 300},
+          .rho = rho,
+          .v_P = {v_P, 3, 50},
+          .v_S = {v_S, 10, 50},
+          .T = {300 + v_P, 5, 50},
+          .P = {rho0 * v_S * v_P, 2e7, 50},
+          .e = {1e6, 1e3, 50}};
+}
+
+TEST(HugoniotReference, LiesBetweenThePointsAboutIt) {
+  tests::ScratchDirectory const scratch;
+  auto const file = scratch / "hugoniot.csv";
+  std::vector<cg::HugoniotPoint> const points{point(2000, 8000), point(1000, 6700)}; // in any order
+  write_text_file(file, hugoniot_csv(points));
+  auto const found = read_hugoniot_reference(file, 2700, 1250);
+  EXPECT_NEAR(found.v_S.mean, 6700 + 0.25 * 1300, 1e-6);
+  EXPECT_NEAR(found.v_S.se, std::hypot(0.75 * 10, 0.25 * 10), 1e-9);
+  EXPECT_NEAR(found.T.mean, 1550, 1e-6);
+  EXPECT_NEAR(found.P.mean, 2700 * (0.75 * 6700e3 + 0.25 * 16000e3), 1);
+  auto const error = [&](std::filesystem::path const& of, double rho0, double v_P) {
+    return tests::error_text<InputError>([&] { read_hugoniot_reference(of, rho0, v_P); });
+  };
+  EXPECT_NE(error(file, 2700, 2500).find("both sides of --vp = 2500"), std::string::npos);
+  EXPECT_NE(error(file, 2800, 1250).find("same --rho0"), std::string::npos);
+  write_text_file(scratch / "other.csv", "a,b\n1,2\n");
+  EXPECT_NE(error(scratch / "other.csv", 2700, 1250).find("no column"), std::string::npos);
+}
+
+TEST(HugoniotReference, TellsDeviationsInCommonStandardErrors) {
+  HugoniotReference const reference{{7000, 30, 1}, {3000, 0, 1}, {20e9, 3e8, 1}, {1000, 30, 1}};
+  ShockOfRun const shock{
+      .measured = {.v_S = {7100, 40, 20}, .rho = {1, 1, 1}, .P = {19e9, 4e8, 20}, .T = {1000, 40, 20}},
+      .mass_per_volume = {3030, 10, 20}};
+  auto const json = reference_json(reference, shock);
+  EXPECT_NEAR(json["deviation"]["v_S"].get<double>(), 2, 1e-12);
+  EXPECT_NEAR(json["deviation"]["rho"].get<double>(), 3, 1e-12);
+  EXPECT_NEAR(json["deviation"]["P"].get<double>(), -2, 1e-12);
+  EXPECT_NEAR(json["deviation"]["T"].get<double>(), 0, 1e-12);
+}
+
+} // namespace
+} // namespace mesobridge::workflows

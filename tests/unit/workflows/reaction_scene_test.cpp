@@ -1,0 +1,137 @@
+#include "md/error.hpp"
+#include "scene_error.hpp"
+#include "sdpd/kinetics/list.hpp"
+#include "workflows/quantity.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include <algorithm>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::error_of, tests::replaced;
+
+std::string const burning = R"(title = "burning"
+[fluid]
+eos = "nitromethane"
+rho = "1700 kg/m^3"
+T = "2500 K"
+[particles]
+N = 512
+K = 100
+density = "plain"
+[reaction]
+product = "nitromethane-products"
+heat_per_molecule = "4.78e-19 J"
+kinetics = "second-order"
+Z = "1e15 1/s"
+E_a = "3e-19 J"
+progress = 0.3
+[transport]
+eta = "1e-2 Pa*s"
+[scheme]
+dt = 0.01
+[run]
+steps = 100
+)";
+
+TEST(ReactionScene, ReadsItsKeysAndReadsBackAsTheSame) {
+  auto const scene = parse_scene(burning, "burning.toml");
+  EXPECT_TRUE(scene.features().reacts);
+  EXPECT_TRUE(parse_scene(resolved_toml(scene), "resolved.toml") == scene) << resolved_toml(scene);
+  auto const settings = settings_of(scene, 1);
+  EXPECT_NO_THROW(sdpd::check(settings));
+  auto const& reaction = settings.as<sdpd::Sdpd>().reaction.value();
+  EXPECT_NEAR(reaction.heat, 4.7159e6, 2e2); // 4.78e-19 J in 61.04 u
+  EXPECT_EQ(reaction.progress, 0.3);
+  auto const& law = std::get<sdpd::SecondOrder>(reaction.kinetics);
+  EXPECT_EQ(law.forward.Z, 1e15);
+  EXPECT_EQ(law.forward.T_a, 3e-19); // the energy, until it is in the engine's units
+  EXPECT_NEAR(law.in_units(settings.units()).forward.T_a * 2500, 21728.9, 0.1);
+  EXPECT_EQ(law.weights, sdpd::NeighbourWeights::kernel);
+  auto const other =
+      parse_scene(burning, "burning.toml",
+                  {"reaction.weights=normalised", "reaction.integrator=euler", "reaction.volumes=paper"});
+  EXPECT_TRUE(parse_scene(resolved_toml(other), "resolved.toml") == other);
+  auto const changed = settings_of(other, 1).as<sdpd::Sdpd>().reaction.value();
+  EXPECT_EQ(std::get<sdpd::SecondOrder>(changed.kinetics).weights, sdpd::NeighbourWeights::normalised);
+  EXPECT_EQ(changed.integrator, sdpd::RateIntegrator::euler);
+  EXPECT_FALSE(changed.additive_volumes);
+}
+
+// Whatever law is in the list, a scene can name it, and every key that it needs, and no other.
+TEST(ReactionScene, TakesEveryLawByItsOwnKeys) {
+  int missing = 0, foreign = 0;
+  for (auto const& law : sdpd::kinetics()) {
+    std::vector<std::string> lines;
+    for (auto const& parameter : law.parameters)
+      lines.push_back(parameter.dimension
+                          ? fmt::format("{} = \"2 {}\"\n", parameter.name, si_unit(*parameter.dimension))
+                          : fmt::format("{} = 2\n", parameter.name));
+    auto const with = [&](std::vector<std::string> const& given) {
+      return replaced(burning, "kinetics = \"second-order\"\nZ = \"1e15 1/s\"\nE_a = \"3e-19 J\"\n",
+                      fmt::format("kinetics = \"{}\"\n{}", law.name, fmt::join(given, "")));
+    };
+    auto const scene = parse_scene(with(lines), "scene.toml");
+    EXPECT_TRUE(parse_scene(resolved_toml(scene), "resolved.toml") == scene) << law.name;
+    EXPECT_NO_THROW(sdpd::check(settings_of(scene, 1))) << law.name;
+    for (std::size_t k = 0; k < lines.size(); ++k, ++missing) {
+      auto some = lines;
+      some.erase(some.begin() + static_cast<std::ptrdiff_t>(k));
+      EXPECT_NE(error_of(with(some)).find(fmt::format("reaction.{}' is missing", law.parameters[k].name)),
+                std::string::npos)
+          << error_of(with(some));
+    }
+    auto more = lines;
+    bool const pressure = law.name == "pressure";
+    more.push_back(pressure ? "E_a = \"1e-19 J\"\n" : "growth_power = 2\n");
+    EXPECT_NE(error_of(with(more)).find("belongs to reaction.kinetics"), std::string::npos)
+        << error_of(with(more));
+    ++foreign;
+  }
+  EXPECT_EQ(foreign, 6);
+  EXPECT_GE(missing, 20);
+}
+
+TEST(ReactionScene, RefusesWhatDoesNotGoTogether) {
+  auto const refused = [](std::string const& old, std::string const& now, std::string const& words) {
+    auto const error = error_of(replaced(burning, old, now));
+    EXPECT_NE(error.find(words), std::string::npos) << now << ": " << error;
+  };
+  refused("product = \"nitromethane-products\"\n", "", "needs reaction.product");
+  refused("heat_per_molecule = \"4.78e-19 J\"\n", "", "needs the heat of reaction");
+  refused("heat_per_molecule", "heat = \"1e6 J/kg\"\nheat_per_molecule", "needs the heat of reaction");
+  refused("nitromethane-products", "nitromethane-product", "did you mean");
+  refused("progress = 0.3", "progress = 1.3", "from 0 to 1");
+  refused("kinetics = \"second-order\"", "kinetics = \"first-order\"\nweights = \"normalised\"",
+          "second-order kinetics only");
+  refused("[transport]", "[[region]]\nshape = \"slab\"\nto = \"50 %\"\neos = \"water\"\n[transport]",
+          "must be fluid.eos");
+  refused("[transport]", "[[region]]\nshape = \"slab\"\nto = \"50 %\"\nK = 50\n[transport]",
+          "must be particles.K");
+  auto const plain = replaced(
+      burning,
+      burning.substr(burning.find("[reaction]"), burning.find("[transport]") - burning.find("[reaction]")),
+      "");
+  EXPECT_EQ(error_of(plain), "no error");
+  EXPECT_NE(error_of(replaced(plain, "[transport]",
+                              "[[region]]\nshape = \"slab\"\nto = \"50 %\"\nprogress = 1\n[transport]"))
+                .find("needs reaction.product"),
+            std::string::npos);
+}
+
+TEST(ReactionScene, BeginsRegionsWithTheirProgress) {
+  auto const text =
+      replaced(burning, "[transport]",
+               "[[region]]\nshape = \"slab\"\nto = \"25 %\"\nprogress = 1\nT = \"4800 K\"\n[transport]");
+  auto const settings = settings_of(parse_scene(text, "scene.toml"), 1);
+  auto const& regions = settings.layout->regions();
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].progress, 0.3);
+  EXPECT_EQ(regions[1].progress, 1);
+  EXPECT_TRUE(settings.as<sdpd::Sdpd>().species.empty());
+}
+
+} // namespace
+} // namespace mesobridge::workflows

@@ -1,0 +1,92 @@
+#include "scratch_directory.hpp"
+#include "workflows/json_file.hpp"
+#include "workflows/process.hpp"
+#include "workflows/store/store.hpp"
+#include "workflows/text_file.hpp"
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numeric>
+
+// A fluid that burns, from the scene to its files.
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+constexpr char const* burning = R"(title = "burning"
+[fluid]
+eos = "nitromethane"
+rho = "1700 kg/m^3"
+T = "2500 K"
+[particles]
+N = 512
+K = 100
+density = "plain"
+[reaction]
+product = "nitromethane-products"
+heat_per_molecule = "4.78e-19 J"
+Z = "1e15 1/s"
+E_a = "3e-19 J"
+progress = 0.3
+[transport]
+eta = "1e-2 Pa*s"
+[scheme]
+dt = 0.01
+[run]
+steps = 64
+sample_every = 2
+trajectory_every = 30
+checkpoint_every = 30
+[profile]
+axis = "z"
+bins = 4
+every = 20
+[histogram]
+every = 20
+)";
+
+ProcessResult ran(std::filesystem::path const& folder, std::string const& name,
+                  std::vector<std::string> const& settings = {}) {
+  auto const scene = folder / "burning.toml";
+  write_text_file(scene, burning);
+  std::vector<std::string> words{
+      MESOBRIDGE_PROGRAM,      "run", scene.string(), "--quiet", "--json", "--threads", "1", "-o",
+      (folder / name).string()};
+  for (auto const& setting : settings)
+    words.insert(words.end(), {"--set", setting});
+  return run_process(words);
+}
+
+TEST(ReactionRun, WritesTheProgressEverywhere) {
+  ScratchDirectory const scratch;
+  auto const done = ran(scratch.path(), "run");
+  ASSERT_TRUE(done.status == 0 || done.status == 3) << done.errors;
+  Store const store(scratch / "run" / "run.h5", Store::Mode::read);
+  auto const summary = read_json(scratch / "run" / "summary.json");
+  double const at_end = summary["progress"].get<double>();
+  EXPECT_GT(at_end, 0.35);
+  EXPECT_LT(at_end, 1);
+  EXPECT_LT(std::abs(summary["energy_drift_per_reduced_time"].get<double>()), 1e-3);
+  EXPECT_NE(read_text_file(scratch / "run" / "log.txt").find("progress"), std::string::npos);
+  Store const checkpoint(scratch / "run" / "checkpoint.h5", Store::Mode::read);
+  auto const progress = checkpoint.read_doubles("progress");
+  EXPECT_NEAR(std::accumulate(progress.begin(), progress.end(), 0.0) / 512, at_end, 1e-12);
+  EXPECT_EQ(store.read_doubles("profile/progress").size(), 4u * 4);
+  auto const counts = store.read_integers("histogram/progress/counts"),
+             above = store.read_integers("histogram/progress/above");
+  ASSERT_EQ(counts.size(), 4u * 50); // from 0 to 1, so that all particles are in it
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}), 4 * 512);
+  EXPECT_EQ(above, (std::vector<std::int64_t>{0, 0, 0, 0}));
+}
+
+TEST(ReactionRun, EndsWithTheCauseWhereNoMixtureIs) {
+  ScratchDirectory const scratch;
+  auto const done = ran(scratch.path(), "run", {"fluid.rho=600 kg/m^3", "reaction.progress=0.9"});
+  EXPECT_EQ(done.status, 3) << done.errors;
+  EXPECT_NE(done.errors.find("mixture of progress"), std::string::npos) << done.errors;
+}
+
+} // namespace
+} // namespace mesobridge::workflows

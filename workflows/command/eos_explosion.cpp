@@ -1,0 +1,46 @@
+#include "workflows/command/options.hpp"
+#include "workflows/eos/columns.hpp"
+#include "workflows/eos/detonation_options.hpp"
+#include "workflows/eos/mixture_columns.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+
+namespace {
+
+struct Options {
+  DetonationOptions detonation;
+  VolumeLawOption volumes;
+  double lambda = 1;
+};
+
+Result explosion(Options const& options, Context const& context) {
+  require(options.lambda >= 0 && options.lambda <= 1, "--lambda", options.lambda, "must lie in [0, 1]");
+  auto const fluid = reactive_fluid(options.detonation, options.volumes, context);
+  auto const& rest = fluid.at_rest;
+  auto const columns = mixture_columns(rest.rho, fluid.exploded(rest.rho, rest.e, options.lambda));
+  Result result;
+  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json["lambda"] = options.lambda;
+  put_first_row(result.json, columns, false);
+  result.json["q_J_kg"] = fluid.q;
+  put_first_row(result.json["at_rest"], state_columns({rest}), false);
+  result.text = lines_text(columns, false);
+  return result;
+}
+
+void declare(CLI::App& app, Options& options) {
+  options.detonation.declare(app, pressure_of_the_model);
+  options.volumes.declare(app);
+  app.add_option("--lambda", options.lambda, "Progress of the reaction, 0 to 1")->capture_default_str();
+  app.description("The state that an explosive comes to when it reacts at constant volume and loses no heat: "
+                  "e = e_0 + q lambda at the initial density.");
+}
+
+} // namespace
+
+Command::Action eos_explosion_command(CLI::App& app) {
+  return with_options(app, declare, explosion);
+}
+
+} // namespace mesobridge::workflows

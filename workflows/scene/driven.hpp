@@ -1,0 +1,15 @@
+#pragma once
+#include "workflows/scene/scene.hpp"
+
+namespace mesobridge::workflows {
+
+/// Whether something keeps the fluid from equilibrium: a piston, or vacuum beyond an open face. It has then
+/// no one temperature that could be the scene's.
+inline bool is_driven(Scene const& scene) {
+  auto const& box = scene.box;
+  return !scene.regions.empty() || scene.features().reacts || box.piston || box.piston_file ||
+         !box.piston_times.empty() || box.slide || box.body_force || box.x == "open" || box.y == "open" ||
+         box.z == "open";
+}
+
+} // namespace mesobridge::workflows

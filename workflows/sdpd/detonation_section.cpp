@@ -1,0 +1,115 @@
+#include "workflows/eos/detonation_view.hpp"
+#include "workflows/report/number_text.hpp"
+#include "workflows/sdpd/detonation.hpp"
+#include "workflows/sdpd/run_plots.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// One quantity over the distance from the front, with the line of the zone's theory.
+std::string in_the_frame(std::string const& quantity, std::string const& key, DetonationOfRun const& found,
+                         std::vector<cg::Estimate> const& values, double (*exact)(fitting::ZonePoint const&),
+                         OutputUnits const& units) {
+  auto const x = axis_of("z" + units.length_key), y = axis_of(quantity + key);
+  Plot plot{.name = drawing_name("detonation" + quantity),
+            .title = quantity + " in the frame of the front",
+            .x = {.label = "distance from the front" + x.label.substr(1)},
+            .panels = {Panel{}}};
+  plot.panels[0].y.label = y.label;
+  Series ours{
+      .label = "particles", .x = scaled(found.measured.profile.depth, x.factor), .y = {}, .y_error = {}};
+  for (auto const& value : values)
+    ours.y.push_back(value.mean * y.factor), ours.y_error.push_back(value.se * y.factor);
+  plot.panels[0].series.push_back(std::move(ours));
+  Series theory{.label = "zone by ZND", .x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+  double const farthest = -found.measured.profile.depth.front();
+  for (auto const& point : found.theory.zone)
+    if (point.x < farthest)
+      theory.x.push_back(-point.x * x.factor), theory.y.push_back(exact(point) * y.factor);
+  if (!theory.x.empty())
+    plot.panels[0].series.push_back(std::move(theory));
+  return draw_svg(plot);
+}
+
+std::string way_of_the_front(DetonationOfRun const& found, OutputUnits const& units) {
+  auto const x = axis_of("time" + units.time_key), y = axis_of("front" + units.length_key);
+  Plot plot{.name = drawing_name("detonationfront"),
+            .title = "The way of the front",
+            .x = {.label = x.label},
+            .panels = {Panel{}}};
+  plot.panels[0].y.label = y.label;
+  plot.panels[0].series = {{.label = "",
+                            .x = scaled(found.measured.times, x.factor),
+                            .y = scaled(found.measured.fronts, y.factor),
+                            .y_error = {}}};
+  return draw_svg(plot);
+}
+
+std::string pressure_and_volume(DetonationOfRun const& found, Scene const& scene) {
+  auto const& fluid = found.theory.fluid;
+  DetonationView const view{.reactant_name = scene.fluid.eos,
+                            .product_name = *scene.reaction.product,
+                            .reactant = fitting::Fluid(fluid.mixture.reactant().eos()),
+                            .product = fitting::Fluid(fluid.mixture.product().eos()),
+                            .at_rest = fluid.at_rest,
+                            .crussard = fluid.crussard(),
+                            .reduced = scene.units == UnitSystem::lj};
+  auto const highest = *std::ranges::max_element(found.P);
+  double const spike = found.theory.zone.empty() ? 0 : found.theory.spike().state.P;
+  return draw_svg(detonation_plot(view, 1.1 * std::max(highest, spike), 120,
+                                  {{.label = "slices of the run", .rho = found.rho, .P = found.P}}));
+}
+
+Table comparison(DetonationOfRun const& found, OutputUnits const& units) {
+  bool const si = !units.length_key.empty();
+  Table table{
+      .header = comparison_header(),
+      .rows = {},
+      .caption =
+          "The front from blocks of frames, beside the velocity of Chapman and Jouguet with the same "
+          "models; the zone (0.02 <= mean progress <= 0.98) beside that of Zel'dovich, von Neumann and "
+          "Doering for the same kinetics, which has neither viscosity nor particles."};
+  table.rows.push_back(comparison_row(si ? "velocity of the detonation [m/s]" : "velocity of the detonation",
+                                      found.measured.D, found.theory.chapman_jouguet.v_S));
+  if (!found.theory.zone.empty())
+    table.rows.push_back(
+        comparison_row(si ? "length of the reaction zone [m]" : "length of the reaction zone",
+                       found.measured.zone, found.theory.zone_length()));
+  return table;
+}
+
+} // namespace
+
+Section detonation_section(DetonationOfRun const& found, Scene const& scene, OutputUnits const& units) {
+  using Point = fitting::ZonePoint const&;
+  auto const& profile = found.measured.profile;
+  Section section{"Detonation", {comparison(found, units)}};
+  if (!found.is_steady())
+    section.content.emplace_back(
+        Paragraph{fmt::format("The wave is not steady: from the first half of these frames to the second its "
+                              "velocity changes by {} {}.",
+                              with_error_text(found.measured.change_of_D),
+                              units.length_key.empty() ? "in units of velocity" : "m/s")});
+  section.content.emplace_back(Figure{{way_of_the_front(found, units), pressure_and_volume(found, scene)},
+                                      "Left: the last crossing, from ahead, of half the velocity that the "
+                                      "products of Chapman and Jouguet have. "
+                                      "Right: pressure over volume, with the slices between the beginning of "
+                                      "the wave and its front at the last of "
+                                      "these instants."});
+  section.content.emplace_back(
+      Figure{{in_the_frame(
+                  "P", units.pressure_key, found, profile.P, [](Point at) { return at.state.P; }, units),
+              in_the_frame(
+                  "rho", units.density_key, found, profile.rho, [](Point at) { return at.rho; }, units),
+              in_the_frame(
+                  "T", units.temperature_key, found, profile.T, [](Point at) { return at.state.T; }, units),
+              in_the_frame(
+                  "progress", "", found, profile.progress, [](Point at) { return at.lambda; }, units)},
+             "Means over the frames with their standard errors. Lines: the zone by ZND; a fluid of particles "
+             "spreads its "
+             "front over the reach of a particle and over what its viscosity asks for."});
+  return section;
+}
+
+} // namespace mesobridge::workflows
