@@ -32,6 +32,12 @@ std::int64_t steps_of(DetonationCase const& of, Scene const& scene, double D) {
   return static_cast<std::int64_t>((way + late) * time / scene.scheme.dt.value);
 }
 
+/// Small enough for the motion, in reduced units, and for a reaction zone of 2.8 ps at Z = 1e15 1/s.
+double step_of(DetonationCase const& of, Scene const& scene) {
+  constexpr double of_motion = 0.003, of_reaction = 25e-15, Z = 1e15;
+  return std::min(of_motion, of_reaction * Z / of.Z / settings_of(scene, 1).units().time());
+}
+
 /// As if the detonation had come so far already.
 Scene::Region burnt_layer(DetonationCase const& of, fitting::Shock const& detonation) {
   Scene::Region burnt{.name = "burnt layer", .shape = "slab"};
@@ -104,7 +110,7 @@ Scene detonation_scene(DetonationCase const& of) {
   scene.reaction.heat_per_molecule = 4.78e-19;
   scene.reaction.parameters["Z"] = of.Z, scene.reaction.parameters["E_a"] = 3e-19;
   scene.transport.eta = of.eta;
-  scene.scheme.name = of.K < 50 ? "ems" : "ssa", scene.scheme.dt.value = 0.003;
+  scene.scheme.name = of.K < 50 ? "ems" : "ssa", scene.scheme.dt.value = step_of(of, scene);
   auto const detonation = detonation_theory(settings_of(scene, 1))->chapman_jouguet;
   if (of.piston)
     scene.box.piston = v_P, scene.box.ramp = of.ramp;
