@@ -133,7 +133,7 @@ std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& sc
   std::size_t const last = measured->first + measured->times.size() - 1;
   DetonationOfRun found{std::move(*measured), std::move(*theory), {}, {}, frames[last].flow.time};
   for (std::size_t s = scale.position.size(); s-- > 0;)
-    if (scale.position[s] < found.measured.fronts.back()) {
+    if (scale.position[s] < found.measured.fronts.back() && frames[last].flow.rho[s] > 0) {
       found.rho.push_back(frames[last].flow.rho[s]);
       found.P.push_back(frames[last].flow.P[s]);
     }

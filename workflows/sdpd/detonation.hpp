@@ -26,8 +26,9 @@ std::optional<DetonationTheory> detonation_theory(sdpd::SimulationSettings const
 struct DetonationOfRun {
   sdpd::SteadyDetonation measured;
   DetonationTheory theory;
-  std::vector<double> rho, P; ///< of the slices of the last frame that was taken, from the front backwards
-  double instant;             ///< when that was
+  std::vector<double> rho,
+      P; ///< of the slices of the last frame that was taken, from the front backwards, where there is fluid
+  double instant; ///< when that was
 
   /// Whether its velocity is no longer another one in the second half of the frames: by 3 standard errors or
   /// 1 %.
