@@ -1,0 +1,92 @@
+#include "sdpd/thermodynamics/reacting.hpp"
+#include "sdpd_fixtures.hpp"
+#include <gtest/gtest.h>
+
+// What becomes of mixtures whose parts come to the end of their balance (sdpd/README.md, Eqs. (S66), (S67)).
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// One particle of nitromethane and its products, which is expanded and compressed without loss of heat.
+class OneMixture {
+ public:
+  OneMixture(double lambda, double rho, double T)
+      : units_(burning_nitromethane(100, 0.01).units()),
+        thermodynamics_(make_reacting_thermodynamics(
+            {fitting::material("nitromethane").eos, fitting::material("nitromethane-products").eos}, units_,
+            CentreOfMass::bulk)) {
+    of.resize(1, {.reacts = true});
+    of.id = {0}, of.progress = {lambda}, of.rho = {rho / units_.density}, of.T = {T / units_.temperature};
+    of.log_density_ratio = {0};
+    thermodynamics_->energy_from_temperature(of, {0, 1}, failure);
+    thermodynamics_->from_energy(of, {0, 1}, failure);
+  }
+  MixtureFate fate() const { return thermodynamics_->fate(of, 0); }
+  double density() const { return of.rho[0] * units_.density; }
+  double pressure() const { return of.P[0] * units_.pressure(); }
+
+  /// By an isentropic change of the density, as in a step; whether there is a state.
+  bool change_density(double factor) {
+    of.rho[0] *= factor;
+    thermodynamics_->from_entropy(of, {0, 1}, failure);
+    return !failure.any();
+  }
+  void find_by_energy() { thermodynamics_->from_energy(of, {0, 1}, failure); }
+
+  Particles of;
+  Failure failure;
+
+ private:
+  ReducedUnits units_;
+  std::unique_ptr<Thermodynamics const> thermodynamics_;
+};
+
+// It is told in time: the mixture still follows several steps of a fast expansion.
+TEST(MixtureFate, BurnsUpBeforeTheReactantsBalanceEnds) {
+  int told = 0;
+  for (double const lambda : {0.5, 0.9, 0.994}) {
+    OneMixture mixture(lambda, 1500, 4700);
+    ASSERT_FALSE(mixture.failure.any()) << mixture.failure.message();
+    EXPECT_EQ(mixture.fate(), MixtureFate::goes_on);
+    while (mixture.fate() == MixtureFate::goes_on)
+      ASSERT_TRUE(mixture.change_density(0.998)) << lambda << ": not told at " << mixture.density();
+    EXPECT_EQ(mixture.fate(), MixtureFate::burns_up);
+    EXPECT_GT(mixture.density(), 700);
+    for (int step = 0; step < 3; ++step)
+      EXPECT_TRUE(mixture.change_density(0.998)) << lambda << " at " << mixture.density();
+    bool ends = false; // and it would have ended soon
+    for (int step = 0; step < 400 && !ends; ++step)
+      ends = !mixture.change_density(0.998);
+    EXPECT_TRUE(ends) << lambda;
+    ++told;
+  }
+  EXPECT_EQ(told, 3);
+}
+
+TEST(MixtureFate, LetsATraceOfProductWaitWhereItsModelEnds) {
+  OneMixture mixture(0.003, 1300, 600);
+  ASSERT_FALSE(mixture.failure.any()) << mixture.failure.message();
+  EXPECT_EQ(mixture.fate(), MixtureFate::goes_on);
+  while (mixture.fate() == MixtureFate::goes_on)
+    ASSERT_TRUE(mixture.change_density(1.002)) << "not told at " << mixture.density();
+  EXPECT_EQ(mixture.fate(), MixtureFate::counts_as_reactant);
+  double const eps = mixture.of.eps[0], P = mixture.pressure(), highest = mixture.density();
+  mixture.of.log_density_ratio[0] = no_product;
+  mixture.find_by_energy();
+  ASSERT_FALSE(mixture.failure.any()) << mixture.failure.message();
+  EXPECT_EQ(mixture.of.eps[0], eps);
+  EXPECT_NEAR(mixture.pressure(), P, 0.05 * P); // of 70 GPa: it jumps
+  EXPECT_EQ(mixture.fate(), MixtureFate::goes_on);
+  EXPECT_TRUE(mixture.change_density(1.05)); // pure, it can go on
+  while (mixture.fate() == MixtureFate::goes_on)
+    ASSERT_TRUE(mixture.change_density(0.998)) << "never again at " << mixture.density();
+  EXPECT_EQ(mixture.fate(), MixtureFate::mixes_again);
+  EXPECT_LT(mixture.density(), highest);
+  mixture.of.log_density_ratio[0] = 0;
+  mixture.find_by_energy();
+  EXPECT_FALSE(mixture.failure.any()) << mixture.failure.message();
+  EXPECT_EQ(mixture.fate(), MixtureFate::goes_on);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd
