@@ -53,13 +53,15 @@ std::unique_ptr<Thermodynamics const> thermodynamics_of(Sdpd const& fluid, Simul
   });
 }
 
-void check_reaction(Sdpd const& fluid) {
+void check_reaction(Sdpd const& fluid, SimulationSettings const& at) {
   auto const& reaction = *fluid.reaction;
   require(fluid.species.empty(), "species of a fluid that reacts", fluid.species.size(),
           "must be one: every region has the fluid's equation of state and size");
   require(any_number.contains(reaction.heat), "heat of reaction", reaction.heat, any_number.demand());
   require(reaction.shares.contains(reaction.progress), "progress of the reaction", reaction.progress,
           reaction.shares.demand());
+  MixedParticle const made({fluid.eos, reaction.product, reaction.additive_volumes}, fluid.units(at),
+                           centre_of_mass_of(fluid, at)); // which refuses what cannot be mixed
 }
 
 std::optional<Reaction> reaction_of(Sdpd const& fluid, ReducedUnits const& units) {
@@ -111,7 +113,7 @@ void Sdpd::check(SimulationSettings const& at) const {
   friction_of(*this, units(at));
   require(not_negative.contains(kappa), "thermal conductivity kappa", kappa, not_negative.demand());
   if (reaction)
-    check_reaction(*this);
+    check_reaction(*this, at);
 }
 
 MethodParts Sdpd::parts(SimulationSettings const& at) const {

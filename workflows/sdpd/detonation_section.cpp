@@ -55,9 +55,11 @@ std::string pressure_and_volume(DetonationOfRun const& found, Scene const& scene
                             .at_rest = fluid.at_rest,
                             .crussard = fluid.crussard(),
                             .reduced = scene.units == UnitSystem::lj};
-  auto const highest = *std::ranges::max_element(found.P);
-  double const spike = found.theory.zone.empty() ? 0 : found.theory.spike().state.P;
-  return draw_svg(detonation_plot(view, 1.1 * std::max(highest, spike), 120,
+  double highest =
+      found.theory.zone.empty() ? found.theory.chapman_jouguet.behind.P : found.theory.spike().state.P;
+  for (double const P : found.P)
+    highest = std::max(highest, P);
+  return draw_svg(detonation_plot(view, 1.1 * highest, 120,
                                   {{.label = "slices of the run", .rho = found.rho, .P = found.P}}));
 }
 
@@ -97,6 +99,8 @@ Section detonation_section(DetonationOfRun const& found, Scene const& scene, Out
                                       "Right: pressure over volume, with the slices between the beginning of "
                                       "the wave and its front at the last of "
                                       "these instants."});
+  if (profile.depth.empty()) // of too few frames
+    return section;
   section.content.emplace_back(
       Figure{{in_the_frame(
                   "P", units.pressure_key, found, profile.P, [](Point at) { return at.state.P; }, units),
