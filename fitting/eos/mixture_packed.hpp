@@ -4,12 +4,6 @@
 
 namespace mesobridge::fitting {
 
-/// Where a particle that reacts counts as one of the pure components, which moves no energy: a trace of the
-/// other one changes P by less than 1e-4, and may have no stable state (a reactant in hot thin products).
-struct PureProgress {
-  double reactant_below = 1e-4, product_above = 1 - 1e-6;
-};
-
 enum class Component { reactant, product, mixed };
 
 /// Progress outside [0, 1] counts as mixed, whose solution refuses it.

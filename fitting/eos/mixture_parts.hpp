@@ -9,6 +9,12 @@ enum class VolumeLaw {
   paper            ///< rho = (1 - lambda) rho_0 + lambda rho_1, thesis (6.7)
 };
 
+/// Where a particle that reacts counts as one of the pure components, which moves no energy: a trace of the
+/// other one changes P by less than 1e-4, and may have no stable state (a reactant in hot thin products).
+struct PureProgress {
+  double reactant_below = 1e-4, product_above = 1 - 1e-6;
+};
+
 /// The densities of the parts at r = ln(rho_1/rho_0), of the same total by the law, for one state or a Pack.
 template <class X>
 struct MixtureDensities {

@@ -1,54 +1,14 @@
 #include "sdpd/thermodynamics/mixed_particle.hpp"
-#include "fitting/eos/mixture.hpp"
+#include "fitting/eos/mixture_packed.hpp"
 #include "sdpd/thermodynamics/particle_eos.hpp"
 #include "sdpd/thermodynamics/reacting_part.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
 
+using fitting::Pack, fitting::PackMask;
 using Mixture = fitting::Mixture<ReactingPart, ReactingPart>;
-using Split = MixedParticle::Split;
-
-/// Of one part at the common temperature, per unit mass of it.
-struct Part {
-  double c_v, P, P_T, rho_P_rho, e_log_rho;
-};
-Part part(ReactingPart const& eos, double rho, double T) {
-  auto const isochore = eos.isochore(rho);
-  double const P = isochore.pressure(T), P_T = isochore.pressure_slope(T);
-  return {isochore.heat_capacity(T), P, P_T, rho * isochore.pressure_density_slope(T), (P - T * P_T) / rho};
-}
-
-/// Pressure and heat capacity of parts in equilibrium, and how their density ratio follows the temperature.
-struct Equilibrium {
-  double P, c_v, r_T;
-};
-Equilibrium equilibrium(Mixture const& mixture, double lambda, double rho, Split const& at) {
-  bool const additive = mixture.law() == fitting::VolumeLaw::additive_volume;
-  double const ratio = std::exp(at.log_density_ratio), weight = additive ? lambda / ratio : lambda * ratio,
-               sum = 1 - lambda + weight, share = weight / sum;
-  double const rho_0 = additive ? rho * sum : rho / sum;
-  Part const zero = part(mixture.reactant(), rho_0, at.T), one = part(mixture.product(), rho_0 * ratio, at.T);
-  double const r_T = (zero.P_T - one.P_T) / ((1 - share) * one.rho_P_rho + share * zero.rho_P_rho);
-  double const energy_r = lambda * (1 - share) * one.e_log_rho - (1 - lambda) * share * zero.e_log_rho;
-  return {(1 - share) * zero.P + share * one.P, (1 - lambda) * zero.c_v + lambda * one.c_v + energy_r * r_T,
-          r_T};
-}
-
-/// Of a trace of product in the reactant: ln(rho_1/rho_0) at which the product has the reactant's pressure.
-std::optional<double> trace_in(ReactingPart const& reactant, ReactingPart const& product, double rho,
-                               double T) {
-  double const P = reactant.isochore(rho).pressure(T);
-  auto const gap = [&](double r) { return product.isochore(rho * std::exp(r)).pressure(T) - P; };
-  double below = -3, above = 1;
-  if (!(gap(below) < 0 && gap(above) > 0))
-    return std::nullopt;
-  for (int halving = 0; halving < 40; ++halving) {
-    double const r = 0.5 * (below + above);
-    (gap(r) < 0 ? below : above) = r;
-  }
-  return above;
-}
+using PackedMixture = fitting::PackedMixture<ReactingPart, ReactingPart>;
 
 } // namespace
 
@@ -57,22 +17,54 @@ struct MixedParticle::Model {
   double rho_unit, T_unit, e_unit, s_unit, P_unit, C_min;
   double R; ///< k_B/(K m0) of the centre of mass, which moves by itself; 0 where the bulk's part is kept
 
-  /// Nothing where nobody knows: then a search begins.
-  std::optional<fitting::MixtureSplit> guess(double lambda, double rho, Split const& from) const {
-    constexpr double trace = 0.01;
-    double const T = from.T * T_unit;
-    if (from.log_density_ratio != 0)
-      return fitting::MixtureSplit{T, from.log_density_ratio};
-    if (lambda > trace)
-      return std::nullopt;
-    auto const r = trace_in(mixture.reactant(), mixture.product(), rho, T);
-    return r ? std::optional(fitting::MixtureSplit{T, *r}) : std::nullopt;
-  }
-  /// What the centre of mass takes from the entropy beside its heat capacity.
-  double entropy_of_place(double rho) const { return R * std::log(rho); }
+  PackedMixture packed() const { return PackedMixture(mixture); }
+  fitting::MixtureSplit in_units(Split const& of) const { return {of.T * T_unit, of.log_density_ratio}; }
 
-  State state_of(fitting::MixtureState const& at, double rho, double eps) const {
-    return {{at.T / T_unit, at.split.log_density_ratio}, eps, (at.s + entropy_of_place(rho)) / s_unit};
+  /// What the centre of mass takes from the entropy beside its heat capacity.
+  template <class X>
+  X entropy_of_place(X rho) const {
+    using std::log;
+    return R * log(rho);
+  }
+  State state_of(fitting::MixtureState const& at, double rho) const {
+    return {
+        {at.T / T_unit, at.split.log_density_ratio}, at.e / e_unit, (at.s + entropy_of_place(rho)) / s_unit};
+  }
+
+  /// Of mixtures at a split: what they answer, and where that holds.
+  struct Responses {
+    Pack P, inverse_C, curvature, C;
+    PackMask fine;
+  };
+  Responses responses(Pack lambda, Pack density, fitting::PackedSplit const& split) const {
+    constexpr double rise = 1e-3; // relative, over which the heat capacity is seen to change
+    auto const here = packed().at(lambda, density, split);
+    auto const warmer = packed().at(
+        lambda, density, {split.T * (1 + rise), split.log_density_ratio + here.r_T() * rise * split.T});
+    Pack const C = here.heat_capacity() / s_unit,
+               slope = (warmer.heat_capacity() / s_unit - C) / (rise / T_unit * split.T);
+    return {(here.pressure() - density * R * split.T) / P_unit, 1.0 / C, -0.5 * slope / (C * C * C), C,
+            packed().covered(here) & (C.v > C_min)};
+  }
+  Caloric caloric(double T, Responses const& of, int lane) const {
+    return {.T_0 = T,
+            .inverse_C_0 = of.inverse_C.v[lane],
+            .curvature = of.curvature.v[lane],
+            .limit = caloric_reach * T};
+  }
+
+  struct Loaded {
+    Pack lambda, density;
+    fitting::PackedSplit split;
+  };
+  Loaded load(Particles const& of, PackedPlaces const& places) const {
+    return {places.load(of.progress),
+            places.load(of.rho) * rho_unit,
+            {places.load(of.T) * T_unit, places.load(of.log_density_ratio)}};
+  }
+  void store(PackedMixture::Solution const& found, PackedPlaces const& places, Particles& of) const {
+    places.store(found.split.T / T_unit, found.solved, of.T);
+    places.store(found.split.log_density_ratio, found.solved, of.log_density_ratio);
   }
 };
 
@@ -91,32 +83,17 @@ MixedParticle::MixedParticle(MixedParticle&&) noexcept = default;
 auto MixedParticle::from_energy(double lambda, double rho, double eps, Split const& guess) const -> State {
   auto const& of = *model_;
   double const density = rho * of.rho_unit;
-  return of.state_of(of.mixture.state(lambda, density, eps * of.e_unit, of.guess(lambda, density, guess)),
-                     density, eps);
+  auto state = of.state_of(of.mixture.state(lambda, density, eps * of.e_unit, of.in_units(guess)), density);
+  state.eps = eps;
+  return state;
 }
 
-/// Halley's steps in the energy: ds/de = 1/T and dT/de = 1/c_v.
-auto MixedParticle::from_entropy(double lambda, double rho, double S, double eps_guess,
-                                 Split const& guess) const -> State {
-  constexpr double round_off = 2e-13, longest = 0.3; // of the entropy, in the heat capacity
-  constexpr int most_steps = 60;
+auto MixedParticle::from_entropy(double lambda, double rho, double S, Split const& guess) const -> State {
   auto const& of = *model_;
   double const density = rho * of.rho_unit, s = S * of.s_unit - of.entropy_of_place(density);
-  double e = eps_guess * of.e_unit;
-  auto near = of.guess(lambda, density, guess);
-  for (int k = 0; k < most_steps; ++k) {
-    auto const at = of.mixture.state(lambda, density, e, near);
-    double const missing = std::clamp((s - at.s) / at.c_v, -longest, longest);
-    near = at.split;
-    if (std::abs(missing) < round_off) {
-      auto state = of.state_of(at, density, e / of.e_unit);
-      state.S = S;
-      return state;
-    }
-    e += at.c_v * at.T * missing * (1 + 0.5 * missing);
-  }
-  throw PhysicsError(fmt::format("mixture of progress {} at density {}: no energy was found for entropy {}",
-                                 lambda, density, s));
+  auto state = of.state_of(of.mixture.state_from_entropy(lambda, density, s, of.in_units(guess)), density);
+  state.S = S;
+  return state;
 }
 
 double MixedParticle::energy_from_temperature(double lambda, double rho, double T) const {
@@ -125,36 +102,59 @@ double MixedParticle::energy_from_temperature(double lambda, double rho, double 
 }
 
 auto MixedParticle::response(double lambda, double rho, Split const& split) const -> Response {
-  constexpr double rise = 1e-3; // relative, over which the heat capacity is seen to change
   auto const& of = *model_;
-  double const density = rho * of.rho_unit, T = split.T * of.T_unit;
-  auto const here = equilibrium(of.mixture, lambda, density, {T, split.log_density_ratio});
-  auto const warmer = equilibrium(of.mixture, lambda, density,
-                                  {T * (1 + rise), split.log_density_ratio + here.r_T * rise * T});
-  double const C = here.c_v / of.s_unit, slope = (warmer.c_v / of.s_unit - C) / (rise * split.T);
+  auto const found = of.responses(lambda, rho * of.rho_unit, {split.T * of.T_unit, split.log_density_ratio});
+  double const C = found.C.v[0];
   if (!(C > of.C_min))
     throw PhysicsError(
         fmt::format("its heat capacity as a mixture of progress {} is {:.4g} k_B, not above {} "
                     "k_B; take larger particles",
                     lambda, least_heat_capacity * C / of.C_min, least_heat_capacity));
-  return {(here.P - density * of.R * T) / of.P_unit,
-          {.T_0 = split.T,
-           .inverse_C_0 = 1 / C,
-           .curvature = -0.5 * slope / (C * C * C),
-           .limit = caloric_reach * split.T}};
+  if (!found.fine[0])
+    throw PhysicsError(
+        fmt::format("a mixture of progress {} at density {:.6g} is not stable", lambda, rho * of.rho_unit));
+  return {found.P.v[0], of.caloric(split.T, found, 0)};
 }
 
 auto MixedParticle::stiffness(double lambda, double rho, Split const& split) const -> Stiffness {
   auto const& of = *model_;
-  double const T = split.T * of.T_unit;
-  auto const parts =
-      fitting::mixture_densities(of.mixture.law(), lambda, rho * of.rho_unit, split.log_density_ratio);
-  auto const over_pressure = [&](auto const& eos, double density) {
-    auto const isochore = eos.isochore(density);
-    return density * isochore.pressure_density_slope(T) / isochore.pressure(T);
-  };
-  return {over_pressure(of.mixture.reactant(), parts.reactant),
-          over_pressure(of.mixture.product(), parts.product)};
+  auto const at = of.packed().at(lambda, rho * of.rho_unit, {split.T * of.T_unit, split.log_density_ratio});
+  return {(at.reactant.rho_P_rho / at.reactant.P).v[0], (at.product.rho_P_rho / at.product.P).v[0]};
+}
+
+PackMask MixedParticle::from_energy(Particles& of, PackedPlaces const& places) const {
+  auto const& model = *model_;
+  auto const [lambda, density, guess] = model.load(of, places);
+  auto const found = model.packed().from_energy(lambda, density, places.load(of.eps) * model.e_unit, guess);
+  Pack const s = model.packed().at(lambda, density, found.split).entropy();
+  model.store(found, places, of);
+  places.store((s + model.entropy_of_place(density)) / model.s_unit, found.solved, of.S);
+  return found.solved;
+}
+
+PackMask MixedParticle::from_entropy(Particles& of, PackedPlaces const& places) const {
+  auto const& model = *model_;
+  auto const [lambda, density, guess] = model.load(of, places);
+  Pack const s = places.load(of.S) * model.s_unit - model.entropy_of_place(density);
+  auto const found = model.packed().from_entropy(lambda, density, s, guess);
+  Pack const e = model.packed().at(lambda, density, found.split).energy();
+  model.store(found, places, of);
+  places.store(e / model.e_unit, found.solved, of.eps);
+  return found.solved;
+}
+
+/// Not inlined: a restart must find the bits of the stopped run, and only the same machine code rounds alike.
+[[gnu::noinline]] PackMask MixedParticle::response(Particles& of, PackedPlaces const& places) const {
+  auto const& model = *model_;
+  auto const [lambda, density, split] = model.load(of, places);
+  auto const found = model.responses(lambda, density, split);
+  places.store(found.P, found.fine, of.P);
+  for (int lane = 0; lane < places.count; ++lane)
+    if (found.fine[lane]) {
+      auto const i = places.first + static_cast<std::size_t>(lane);
+      of.caloric[i] = model.caloric(of.T[i], found, lane);
+    }
+  return found.fine;
 }
 
 } // namespace mesobridge::sdpd

@@ -1,7 +1,9 @@
 #pragma once
 #include "fitting/eos/list.hpp"
 #include "sdpd/state/caloric.hpp"
+#include "sdpd/state/particles.hpp"
 #include "sdpd/state/units.hpp"
+#include "sdpd/thermodynamics/packed_places.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <memory>
 
@@ -13,15 +15,15 @@ struct ReactingModels {
   bool additive_volumes = true; ///< else those of the thesis's (6.7), which no entropy gives
 };
 
-/// The mixture of reactant and product in one particle of mass 1, at equal T and P; all in reduced units
-/// (sdpd/README.md, Eq. (S60)). This is the one place of the engine that asks fitting/eos/mixture.hpp. All
-/// functions throw PhysicsError where there is no equilibrium. 0 < lambda < 1.
+/// The mixture of reactant and product in particles of mass 1, at equal T and P; all in reduced units
+/// (sdpd/README.md, Eq. (S60)). This is the one place of the engine that asks fitting/eos/mixture.hpp: one
+/// particle at a time the careful way, or as many as fill a register from their last states. 0 < lambda < 1.
 class MixedParticle {
  public:
   /// Where the parts are: what all else follows from, and what the next solution starts from.
   struct Split {
     double T;
-    double log_density_ratio; ///< ln(rho_1/rho_0); 0: not known yet
+    double log_density_ratio; ///< ln(rho_1/rho_0); a guess may take the densities for equal, 0
   };
   struct State {
     Split split;
@@ -37,10 +39,10 @@ class MixedParticle {
   ~MixedParticle();
   MixedParticle(MixedParticle&&) noexcept;
 
+  // One at a time; they throw PhysicsError where there is no equilibrium.
   State from_energy(double lambda, double rho, double eps, Split const& guess) const;
-  State from_entropy(double lambda, double rho, double S, double eps_guess, Split const& guess) const;
+  State from_entropy(double lambda, double rho, double S, Split const& guess) const;
   double energy_from_temperature(double lambda, double rho, double T) const;
-  /// Depends on its arguments alone, so that a restart finds the bits of the run that stopped.
   Response response(double lambda, double rho, Split const& split) const;
   /// The isothermal bulk moduli of both parts at the split, over the pressure. Where one of them comes to
   /// zero the balance ends.
@@ -48,6 +50,14 @@ class MixedParticle {
     double reactant, product;
   };
   Stiffness stiffness(double lambda, double rho, Split const& split) const;
+
+  // Neighbours in memory, from their own last states; they return the lanes for which it went well and leave
+  // the others as they are.
+  fitting::PackMask from_energy(Particles& of, PackedPlaces const& places) const;  ///< T, ratio, S
+  fitting::PackMask from_entropy(Particles& of, PackedPlaces const& places) const; ///< T, ratio, eps
+  /// P and the caloric expansion, from T and the ratio: depends on a particle's own numbers alone, so that a
+  /// restart finds the bits of the run that stopped.
+  fitting::PackMask response(Particles& of, PackedPlaces const& places) const;
 
  private:
   struct Model;

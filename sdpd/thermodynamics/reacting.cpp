@@ -25,7 +25,7 @@ std::unique_ptr<Thermodynamics const> product_of(ReactingModels const& models, R
 }
 
 /// Hands pure particles on to the models of reactant and product, neighbours in memory of the same kind
-/// together, and solves the mixture of each of the others.
+/// together, and solves the mixtures of the others.
 class Reacting final : public Thermodynamics {
  public:
   Reacting(ReactingModels const& models, ReducedUnits const& units, CentreOfMass centre_of_mass)
@@ -34,40 +34,41 @@ class Reacting final : public Thermodynamics {
 
   void from_entropy(Particles& of, Range range, Failure& failure) const override {
     for_each_run(
-        of, range, failure, [&](auto const& pure, Range run) { pure.from_entropy(of, run, failure); },
-        [&](std::size_t i) {
-          auto const state = mixed_.from_entropy(of.progress[i], of.rho[i], of.S[i], of.eps[i], split(of, i));
-          of.eps[i] = state.eps;
-          take(of, i, state.split);
+        of, range, [&](auto const& pure, Range run) { pure.from_entropy(of, run, failure); },
+        [&](Range run) {
+          renew(
+              of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_entropy(of, places); },
+              [&](std::size_t i) {
+                auto const state = mixed_.from_entropy(of.progress[i], of.rho[i], of.S[i], split(of, i));
+                of.eps[i] = state.eps;
+                take(of, i, state.split);
+              });
         });
   }
   void from_energy(Particles& of, Range range, Failure& failure) const override {
     for_each_run(
-        of, range, failure, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
-        [&](std::size_t i) {
-          try {
-            auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], split(of, i));
-            of.S[i] = state.S;
-            take(of, i, state.split);
-          } catch (PhysicsError const&) {
-            if (of.progress[i] >= hardly_burnt)
-              throw;
-            of.log_density_ratio[i] = no_product;
-            reactant_->from_energy(of, {i, i + 1}, failure);
-          }
+        of, range, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
+        [&](Range run) {
+          renew(
+              of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_energy(of, places); },
+              [&](std::size_t i) { from_energy(of, i, failure); });
         });
   }
   void response(Particles& of, Range range, Failure& failure) const override {
     for_each_run(
-        of, range, failure, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
-        [&](std::size_t i) { set_response(of, i); });
+        of, range, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
+        [&](Range run) {
+          renew(
+              of, run, failure, [](PackedPlaces const&) { return ~fitting::PackMask{}; }, [](std::size_t) {});
+        });
   }
   void energy_from_temperature(Particles& of, Range range, Failure& failure) const override {
     for_each_run(
-        of, range, failure,
-        [&](auto const& pure, Range run) { pure.energy_from_temperature(of, run, failure); },
-        [&](std::size_t i) {
-          of.eps[i] = mixed_.energy_from_temperature(of.progress[i], of.rho[i], of.T[i]);
+        of, range, [&](auto const& pure, Range run) { pure.energy_from_temperature(of, run, failure); },
+        [&](Range run) {
+          for (std::size_t i = run.begin; i < run.end; ++i)
+            reported(of, i, failure,
+                     [&] { of.eps[i] = mixed_.energy_from_temperature(of.progress[i], of.rho[i], of.T[i]); });
         });
   }
 
@@ -96,11 +97,13 @@ class Reacting final : public Thermodynamics {
       return MixtureFate::goes_on;
     if (of.log_density_ratio[i] == no_product)
       return progress >= hardly_burnt || mixes(of, i) ? MixtureFate::mixes_again : MixtureFate::goes_on;
+    bool const may_burn_up = progress >= nearly_burnt, may_wait = progress < hardly_burnt;
+    if (of.log_density_ratio[i] == 0 || !(may_burn_up || may_wait)) // 0: it becomes a mixture only now
+      return MixtureFate::goes_on;
     auto const [reactant, product] = mixed_.stiffness(progress, of.rho[i], split(of, i));
-    if (progress >= nearly_burnt && !(reactant > weak))
+    if (may_burn_up && !(reactant > weak))
       return MixtureFate::burns_up;
-    return progress < hardly_burnt && !(product > weak) ? MixtureFate::counts_as_reactant
-                                                        : MixtureFate::goes_on;
+    return may_wait && !(product > weak) ? MixtureFate::counts_as_reactant : MixtureFate::goes_on;
   }
 
  private:
@@ -124,30 +127,58 @@ class Reacting final : public Thermodynamics {
   static MixedParticle::Split split(Particles const& of, std::size_t i) {
     return {of.T[i], of.log_density_ratio[i]};
   }
-  void take(Particles& of, std::size_t i, MixedParticle::Split const& split) const {
+  static void take(Particles& of, std::size_t i, MixedParticle::Split const& split) {
     of.T[i] = split.T, of.log_density_ratio[i] = split.log_density_ratio;
-    set_response(of, i);
   }
-  [[gnu::noinline]] void set_response(Particles& of, std::size_t i) const {
-    auto const response = mixed_.response(of.progress[i], of.rho[i], split(of, i));
-    of.P[i] = response.P, of.caloric[i] = response.caloric;
+  /// One that has no mixture, or none from near its last state.
+  void from_energy(Particles& of, std::size_t i, Failure& failure) const {
+    try {
+      auto const state = mixed_.from_energy(of.progress[i], of.rho[i], of.eps[i], split(of, i));
+      of.S[i] = state.S;
+      take(of, i, state.split);
+    } catch (PhysicsError const&) {
+      if (of.progress[i] >= hardly_burnt)
+        throw;
+      of.log_density_ratio[i] = no_product;
+      reactant_->from_energy(of, {i, i + 1}, failure);
+    }
   }
+  template <class F>
+  static void reported(Particles const& of, std::size_t i, Failure& failure, F const& f) {
+    try {
+      f();
+    } catch (std::exception const& error) {
+      failure.report(of.id[i], error.what());
+    }
+  }
+  /// Mixtures, many at once: solve(places) says which lanes it has solved, the others go the careful way,
+  /// alone(i), one by one, so that what becomes of a particle does not depend on its neighbours in memory.
+  template <class Solve, class Alone>
+  void renew(Particles& of, Range run, Failure& failure, Solve const& solve, Alone const& alone) const {
+    for (std::size_t first = run.begin; first < run.end; first += fitting::Pack::size) {
+      PackedPlaces const places(first, run.end);
+      places.for_each_outside(solve(places),
+                              [&](std::size_t i) { reported(of, i, failure, [&] { alone(i); }); });
+      places.for_each_outside(mixed_.response(of, places), [&](std::size_t i) {
+        if (kind_of(of, i) == Kind::mixed) // and has not just become a lone reactant
+          reported(of, i, failure, [&] {
+            auto const found = mixed_.response(of.progress[i], of.rho[i], split(of, i));
+            of.P[i] = found.P, of.caloric[i] = found.caloric;
+          });
+      });
+    }
+  }
+  /// Calls pure(model, run) and mixed(run) for neighbours in memory of the same kind.
   template <class Pure, class Mixed>
-  void for_each_run(Particles const& of, Range range, Failure& failure, Pure const& pure,
-                    Mixed const& mixed) const {
+  void for_each_run(Particles const& of, Range range, Pure const& pure, Mixed const& mixed) const {
     for (std::size_t begin = range.begin, end = begin; begin < range.end; begin = end) {
       auto const kind = kind_of(of, begin);
       while (end < range.end && kind_of(of, end) == kind)
         ++end;
-      if (kind != Kind::mixed)
-        pure(kind == Kind::reactant ? *reactant_ : *product_, Range{begin, end});
+      if (kind == Kind::mixed)
+        mixed(Range{begin, end});
       else
-        for (std::size_t i = begin; i < end; ++i)
-          try {
-            mixed(i);
-          } catch (std::exception const& error) {
-            failure.report(of.id[i], error.what());
-          }
+        pure(kind == Kind::reactant ? *reactant_ : *product_, Range{begin, end});
     }
   }
 

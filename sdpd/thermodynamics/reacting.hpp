@@ -1,4 +1,5 @@
 #pragma once
+#include "fitting/eos/mixture_parts.hpp"
 #include "sdpd/thermodynamics/mixed_particle.hpp"
 
 namespace mesobridge::sdpd {
@@ -6,7 +7,8 @@ namespace mesobridge::sdpd {
 /// What a particle is by its progress lambda (sdpd/README.md, Eq. (S60)): the pure reactant below the first,
 /// the pure product above the second, a mixture in between. What a particle changes into takes over its
 /// energy and density, so that T and P jump and no energy moves.
-inline constexpr double pure_below = 1e-4, pure_above = 1 - 1e-6;
+inline constexpr double pure_below = fitting::PureProgress{}.reactant_below,
+                        pure_above = fitting::PureProgress{}.product_above;
 
 /// From the second progress on what is left of a reactant burns at once, and up to the first a trace of
 /// product does not count, where the balance with it comes to an end (sdpd/README.md, Eqs. (S66), (S67)).

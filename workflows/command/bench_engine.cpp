@@ -32,19 +32,19 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::
 
 /// Compressed and hot nitromethane that is burnt to a part, and burns so slowly that it stays so.
 sdpd::SimulationSettings burning_nitromethane(Options const& options, int threads) {
-  auto settings =
-      settings_of(options, threads,
-                  sdpd::Sdpd{.eos = fitting::material("nitromethane").eos,
-                             .K = options.K,
-                             .kernel = options.kernel,
-                             .eta = 2e-3,
-                             .kappa = options.kappa,
-                             .reaction = sdpd::SdpdReaction{
-                                 .product = fitting::material("nitromethane-products").eos,
-                                 .heat = 4.7159e6,
-                                 .kinetics = sdpd::SecondOrder{{1e6, 3e-19}, {}},
-                                 .progress = options.progress}});
+  auto settings = settings_of(
+      options, threads,
+      sdpd::Sdpd{.eos = fitting::material("nitromethane").eos,
+                 .K = options.K,
+                 .kernel = options.kernel,
+                 .eta = 2e-3,
+                 .kappa = options.kappa,
+                 .reaction = sdpd::SdpdReaction{.product = fitting::material("nitromethane-products").eos,
+                                                .heat = 4.7159e6,
+                                                .kinetics = sdpd::SecondOrder{{1e6, 3e-19}, {}},
+                                                .progress = options.progress}});
   settings.rho = 1700, settings.T = 2500, settings.dt = 0.02;
+  settings.disorder = 0.05; // the reactant has no densities above 2280 kg/m^3
   return settings;
 }
 

@@ -41,6 +41,8 @@ std::vector<sdpd::DetonationFrame> frames_of(Store const& store, Scene const& sc
        P = profile_rows(store, "P" + units.pressure_key, slices),
        T = profile_rows(store, "T_int" + units.temperature_key, slices),
        progress = profile_rows(store, "progress", slices);
+  if (time.empty())
+    return {};
   double along = 0;
   for (double const v : velocity.back())
     along += v;

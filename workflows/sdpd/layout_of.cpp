@@ -29,8 +29,8 @@ class Plan {
  public:
   Plan(Scene const& scene, sdpd::SimulationSettings const& settings)
       : scene_(scene), settings_(settings), units_(settings.units()), edge_(edge_of_box()) {
-    add({.name = "fluid", .shape = sdpd::Cuboid{{}, edge_}, .progress = scene.reaction.progress}, material_of(scene), scene.fluid.rho,
-        scene.fluid.T);
+    add({.name = "fluid", .shape = sdpd::Cuboid{{}, edge_}, .progress = scene.reaction.progress},
+        material_of(scene), scene.fluid.rho, scene.fluid.T);
     for (std::size_t k = 0; k < scene.regions.size(); ++k)
       add(scene.regions[k], k);
   }

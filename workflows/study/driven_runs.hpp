@@ -50,8 +50,6 @@ std::vector<Row> run_study(std::string const& title, std::vector<DrivenRun> cons
     jobs.push_back([&, k] {
       auto const& [name, scene] = runs[k];
       auto const folder = directory / name;
-      std::error_code ignored;
-      std::filesystem::create_directories(folder, ignored); // writing there says what is wrong
       double told = 0;
       rows[k] =
           stored_or_made(folder / "row.json", fmt::format("{}\n{}", resolved_toml(scene), git_commit()), [&] {

@@ -66,8 +66,7 @@ TEST_P(EveryCentreOfMass, IsFoundAgainByItsEntropy) {
   for (double const lambda : {1e-4, 0.5, 1 - 1e-6}) {
     double const eps = mixed.energy_from_temperature(lambda, 1, 1.3);
     auto const state = mixed.from_energy(lambda, 1, eps, {1.2, 0});
-    auto const again =
-        mixed.from_entropy(lambda, 1, state.S, 0.98 * eps, {1.28, state.split.log_density_ratio});
+    auto const again = mixed.from_entropy(lambda, 1, state.S, {1.28, state.split.log_density_ratio});
     EXPECT_NEAR(again.eps, eps, 1e-11 * std::abs(eps)) << lambda;
     EXPECT_EQ(again.S, state.S);
     EXPECT_NEAR(again.split.T, 1.3, 1e-10) << lambda;
