@@ -126,6 +126,14 @@ std::vector<ZonePoint> reaction_profile(ReactionZone const& zone, Kinetics const
   return points;
 }
 
+ZoneExtent zone_extent(std::vector<ZonePoint> const& points) {
+  auto const at = [&](double lambda) -> ZonePoint const& {
+    return *std::ranges::min_element(points, {}, [&](auto const& p) { return std::abs(p.lambda - lambda); });
+  };
+  auto const &begin = at(zone_begin), &end = at(zone_end);
+  return {end.x - begin.x, end.t - begin.t};
+}
+
 std::vector<double> progress_to_draw(double last) {
   require(last > zone_end && last < 1, "last progress of the profile", last,
           fmt::format("must lie between {} and 1", zone_end));

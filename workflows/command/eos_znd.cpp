@@ -71,18 +71,6 @@ Plot zone_plot(std::string const& title, std::vector<fitting::ZonePoint> const& 
                      Panel{.series = {lambda}, .y = {.label = "lambda"}, .legend = Legend::none}}};
 }
 
-/// The zone's begin and end within the points drawn.
-struct Zone {
-  double length, duration;
-};
-Zone zone_of(std::vector<fitting::ZonePoint> const& points) {
-  auto const at = [&](double lambda) {
-    return *std::ranges::min_element(points, {}, [&](auto const& p) { return std::abs(p.lambda - lambda); });
-  };
-  auto const begin = at(fitting::zone_begin), end = at(fitting::zone_end);
-  return {end.x - begin.x, end.t - begin.t};
-}
-
 Result znd(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
@@ -92,11 +80,11 @@ Result znd(Options const& options, Context const& context) {
   auto const cj = crussard.chapman_jouguet();
   if (options.D)
     require_positive_number("--D", *options.D);
-  auto const last = fitting::progress_to_draw(options.last);
+  auto const progress = fitting::progress_to_draw(options.last);
   fitting::ReactionZone const zone(fluid, options.D.value_or(cj.v_S));
-  auto const points = fitting::reaction_profile(zone, kinetics, last);
+  auto const points = fitting::reaction_profile(zone, kinetics, progress);
   auto const& spike = zone.von_neumann().behind;
-  auto const [length, duration] = zone_of(points);
+  auto const [length, duration] = fitting::zone_extent(points);
   Columns const head{{"D", "_m_s", "m/s", {zone.D()}},
                      {"D_CJ", "_m_s", "m/s", {cj.v_S}},
                      {"von_neumann_P", "_Pa", "Pa", {spike.P}},
