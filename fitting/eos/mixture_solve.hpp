@@ -8,21 +8,18 @@ namespace mesobridge::fitting {
 template <EquationOfState Reactant, EquationOfState Product>
 template <class E>
 MixtureState Mixture<Reactant, Product>::pure(E const& eos, Problem const& p) {
-  double const T = p.given == Given::temperature ? p.value
-                   : p.given == Given::energy
-                       ? eos.temperature(p.value, p.rho)
-                       : eos.temperature(eos.energy_from_entropy(p.value, p.rho), p.rho);
-  double const e = eos.energy_from_temperature(T, p.rho);
-  auto const isochore = eos.isochore(p.rho);
-  return {.split = {T, 0},
+  EosState const at = p.given == Given::temperature ? fitting::state_from_temperature(eos, p.rho, p.value)
+                      : p.given == Given::energy    ? fitting::state_from_energy(eos, p.rho, p.value)
+                                                    : fitting::state_from_entropy(eos, p.rho, p.value);
+  return {.split = {at.T, 0},
           .rho_reactant = p.rho,
           .rho_product = p.rho,
-          .T = T,
-          .P = isochore.pressure(T),
-          .e = e,
-          .s = isochore.entropy(T),
-          .c_v = isochore.heat_capacity(T),
-          .sound_speed_squared = mesobridge::fitting::sound_speed_squared(isochore, T)};
+          .T = at.T,
+          .P = at.P,
+          .e = at.e,
+          .s = at.s,
+          .c_v = at.c_v,
+          .sound_speed_squared = at.sound_speed_squared};
 }
 
 template <EquationOfState Reactant, EquationOfState Product>
