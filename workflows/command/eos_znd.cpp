@@ -10,8 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  DetonationOptions detonation;
-  VolumeLawOption volumes;
+  ReactionOptions explosive;
   KineticsOptions kinetics;
   std::optional<double> D;
   double last = 0.999;
@@ -74,7 +73,7 @@ Plot zone_plot(std::string const& title, std::vector<fitting::ZonePoint> const& 
 Result znd(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
-  auto const fluid = reactive_fluid(options.detonation, options.volumes, context);
+  auto const fluid = options.explosive.fluid(context);
   auto const kinetics = options.kinetics.kinetics(fluid.at_rest.rho);
   auto const crussard = fluid.crussard();
   auto const cj = crussard.chapman_jouguet();
@@ -95,7 +94,7 @@ Result znd(Options const& options, Context const& context) {
                      {"zone_time", "_s", "s", {duration}}};
   auto const columns = zone_columns(points);
   Result result;
-  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json = options.explosive.detonation.names();
   put_first_row(result.json, head, false);
   result.json["q_J_kg"] = fluid.q;
   result.json["P0_Pa"] = fluid.at_rest.P;
@@ -111,16 +110,15 @@ Result znd(Options const& options, Context const& context) {
                 fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",
                             fitting::zone_begin, fitting::zone_end, fluid.at_rest.P);
   auto const title =
-      fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.detonation.reactant, zone.D());
+      fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.explosive.detonation.reactant, zone.D());
   write_curve(
       context, result, [&] { return csv_text(columns, false); }, [&] { return zone_plot(title, points); });
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
-  options.detonation.declare(app, pressure_of_the_model);
+  options.explosive.declare(app);
   options.kinetics.declare(app);
-  options.volumes.declare(app);
   app.add_option(
       "--D", options.D,
       "Velocity of the front in m/s. If not given that of Chapman and Jouguet; more: an overdriven "
