@@ -9,32 +9,6 @@ namespace {
 using Mixture = fitting::Mixture<ReactingPart, ReactingPart>;
 using Split = MixedParticle::Split;
 
-/// Of one part at the common temperature, per unit mass of it.
-struct Part {
-  double c_v, P, P_T, rho_P_rho, e_log_rho;
-};
-Part part(ReactingPart const& eos, double rho, double T) {
-  auto const isochore = eos.isochore(rho);
-  double const P = isochore.pressure(T), P_T = isochore.pressure_slope(T);
-  return {isochore.heat_capacity(T), P, P_T, rho * isochore.pressure_density_slope(T), (P - T * P_T) / rho};
-}
-
-/// Pressure and heat capacity of parts in equilibrium, and how their density ratio follows the temperature.
-struct Equilibrium {
-  double P, c_v, r_T;
-};
-Equilibrium equilibrium(Mixture const& mixture, double lambda, double rho, Split const& at) {
-  bool const additive = mixture.law() == fitting::VolumeLaw::additive_volume;
-  double const ratio = std::exp(at.log_density_ratio), weight = additive ? lambda / ratio : lambda * ratio,
-               sum = 1 - lambda + weight, share = weight / sum;
-  double const rho_0 = additive ? rho * sum : rho / sum;
-  Part const zero = part(mixture.reactant(), rho_0, at.T), one = part(mixture.product(), rho_0 * ratio, at.T);
-  double const r_T = (zero.P_T - one.P_T) / ((1 - share) * one.rho_P_rho + share * zero.rho_P_rho);
-  double const energy_r = lambda * (1 - share) * one.e_log_rho - (1 - lambda) * share * zero.e_log_rho;
-  return {(1 - share) * zero.P + share * one.P, (1 - lambda) * zero.c_v + lambda * one.c_v + energy_r * r_T,
-          r_T};
-}
-
 /// Of a trace of product in the reactant: ln(rho_1/rho_0) at which the product has the reactant's pressure.
 std::optional<double> trace_in(ReactingPart const& reactant, ReactingPart const& product, double rho,
                                double T) {
@@ -128,16 +102,17 @@ auto MixedParticle::response(double lambda, double rho, Split const& split) cons
   constexpr double rise = 1e-3; // relative, over which the heat capacity is seen to change
   auto const& of = *model_;
   double const density = rho * of.rho_unit, T = split.T * of.T_unit;
-  auto const here = equilibrium(of.mixture, lambda, density, {T, split.log_density_ratio});
-  auto const warmer = equilibrium(of.mixture, lambda, density,
-                                  {T * (1 + rise), split.log_density_ratio + here.r_T * rise * T});
-  double const C = here.c_v / of.s_unit, slope = (warmer.c_v / of.s_unit - C) / (rise * split.T);
+  auto const here = of.mixture.at(lambda, density, {T, split.log_density_ratio});
+  auto const warmer =
+      of.mixture.at(lambda, density, {T * (1 + rise), split.log_density_ratio + here.r_T() * rise * T});
+  double const C = here.heat_capacity() / of.s_unit,
+               slope = (warmer.heat_capacity() / of.s_unit - C) / (rise * split.T);
   if (!(C > of.C_min))
     throw PhysicsError(
         fmt::format("its heat capacity as a mixture of progress {} is {:.4g} k_B, not above {} "
                     "k_B; take larger particles",
                     lambda, least_heat_capacity * C / of.C_min, least_heat_capacity));
-  return {(here.P - density * of.R * T) / of.P_unit,
+  return {(here.pressure() - density * of.R * T) / of.P_unit,
           {.T_0 = split.T,
            .inverse_C_0 = 1 / C,
            .curvature = -0.5 * slope / (C * C * C),
@@ -146,15 +121,8 @@ auto MixedParticle::response(double lambda, double rho, Split const& split) cons
 
 auto MixedParticle::stiffness(double lambda, double rho, Split const& split) const -> Stiffness {
   auto const& of = *model_;
-  double const T = split.T * of.T_unit;
-  auto const parts =
-      fitting::mixture_densities(of.mixture.law(), lambda, rho * of.rho_unit, split.log_density_ratio);
-  auto const over_pressure = [&](auto const& eos, double density) {
-    auto const isochore = eos.isochore(density);
-    return density * isochore.pressure_density_slope(T) / isochore.pressure(T);
-  };
-  return {over_pressure(of.mixture.reactant(), parts.reactant),
-          over_pressure(of.mixture.product(), parts.product)};
+  auto const at = of.mixture.at(lambda, rho * of.rho_unit, {split.T * of.T_unit, split.log_density_ratio});
+  return {at.reactant.rho_P_rho / at.reactant.P, at.product.rho_P_rho / at.product.P};
 }
 
 } // namespace mesobridge::sdpd
