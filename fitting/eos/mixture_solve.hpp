@@ -76,15 +76,13 @@ std::optional<MixtureState> Mixture<Reactant, Product>::newton_steps(Problem con
   for (int iteration = 0; iteration < most_steps && split.T > 0; ++iteration) {
     At const here = at(p, split);
     bool const by_entropy = p.given == Given::entropy;
-    double const inverse = 1 / here.gap_r(), r_T = -here.gap_T() * inverse;
-    double const value_r = by_entropy ? here.entropy_r() : here.energy_r();
-    double const slope = (by_entropy ? here.entropy_T() : here.energy_T()) + value_r * r_T;
+    auto const [dT, dr, slope] =
+        here.step(p.value - value(p, here), by_entropy ? here.entropy_r() : here.energy_r(),
+                  by_entropy ? here.entropy_T() : here.energy_T());
     if (!(stable(here) && slope > 0))
       return std::nullopt;
     if (converged)
       return here.heat_capacity() > 0 ? std::optional(state_of(here, split.log_density_ratio)) : std::nullopt;
-    double const r_gap = -here.pressure_gap() * inverse;
-    double const dT = (p.value - value(p, here) - value_r * r_gap) / slope, dr = r_gap + r_T * dT;
     double const longest = std::max(std::abs(dT) / split.T, std::abs(dr));
     if (!(longest < std::numeric_limits<double>::infinity()))
       return std::nullopt;
