@@ -2,18 +2,6 @@
 #include "fitting/quadrature.hpp"
 
 namespace mesobridge::fitting {
-namespace {
-
-/// Throws PhysicsError where nothing reacts.
-double positive_rate(Kinetics const& kinetics, double lambda, double rho, double T) {
-  double const rate = kinetics.rate(lambda, rho, T);
-  if (!(rate > 0))
-    throw PhysicsError(
-        fmt::format("the reaction stands still at density {}, temperature {}: its rate is {}", rho, T, rate));
-  return rate;
-}
-
-} // namespace
 
 ThermalExplosion thermal_explosion(ReactiveFluid const& fluid, double rho, double e,
                                    Kinetics const& kinetics) {
@@ -24,10 +12,10 @@ ThermalExplosion thermal_explosion(ReactiveFluid const& fluid, double rho, doubl
   auto here = beginning;
   auto const duration = [&](double lambda) {
     here = fluid.exploded(rho, e, lambda, here.split);
-    return 1 / positive_rate(kinetics, lambda, rho, here.T);
+    return 1 / kinetics.positive_rate(lambda, rho, here.T);
   };
   return {.time = integral(duration, 0, ThermalExplosion::exploded),
-          .frank_kamenetskii = e_fold / positive_rate(kinetics, 0, rho, beginning.T),
+          .frank_kamenetskii = e_fold / kinetics.positive_rate(0, rho, beginning.T),
           .end = fluid.exploded(rho, e, 1)};
 }
 

@@ -56,6 +56,15 @@ struct Kinetics {
     double const left = 1 - lambda;
     return arrhenius.rate(T) * neighbour_sum(rho) * (order == Order::second ? left * left : left);
   }
+  /// The same; throws PhysicsError where nothing reacts.
+  double positive_rate(double lambda, double rho, double T) const {
+    double const found = rate(lambda, rho, T);
+    if (!(found > 0))
+      throw PhysicsError(fmt::format("the reaction stands still at progress {}, density {}, temperature {}: "
+                                     "its rate is {}",
+                                     lambda, rho, T, found));
+    return found;
+  }
 };
 
 } // namespace mesobridge::fitting

@@ -5,6 +5,8 @@
 
 namespace mesobridge::fitting {
 
+extern template class Mixture<AnyModel, AnyModel>; // compiled once
+
 /// An explosive between its reactant and its products, which releases the heat q lambda per mass.
 struct ReactiveFluid {
   Mixture<AnyModel, AnyModel> mixture;

@@ -108,14 +108,12 @@ std::vector<ZonePoint> reaction_profile(ReactionZone const& zone, Kinetics const
   auto const at = [&](double lambda) -> ZoneState const& { return near = zone.at(lambda, near); };
   auto const duration = [&](double lambda) {
     auto const& here = at(lambda);
-    double const rate = kinetics.rate(lambda, here.rho, here.state.T);
-    if (!(rate > 0))
-      throw PhysicsError(fmt::format("the reaction stands still at progress {}, density {}, temperature {}: "
-                                     "its rate is {}",
-                                     lambda, here.rho, here.state.T, rate));
-    return 1 / rate;
+    return 1 / kinetics.positive_rate(lambda, here.rho, here.state.T);
   };
-  auto const length = [&](double lambda) { return duration(lambda) * zone.flow(near.rho); };
+  auto const length = [&](double lambda) {
+    auto const& here = at(lambda);
+    return zone.flow(here.rho) / kinetics.positive_rate(lambda, here.rho, here.state.T);
+  };
   std::vector<ZonePoint> points;
   double before = 0, x = 0, t = 0;
   for (double const lambda : progress) {
@@ -126,6 +124,14 @@ std::vector<ZonePoint> reaction_profile(ReactionZone const& zone, Kinetics const
     points.push_back({lambda, x, t, here.rho, zone.velocity(here.rho), here.state});
   }
   return points;
+}
+
+ZoneExtent zone_extent(std::vector<ZonePoint> const& points) {
+  auto const at = [&](double lambda) -> ZonePoint const& {
+    return *std::ranges::min_element(points, {}, [&](auto const& p) { return std::abs(p.lambda - lambda); });
+  };
+  auto const &begin = at(zone_begin), &end = at(zone_end);
+  return {end.x - begin.x, end.t - begin.t};
 }
 
 std::vector<double> progress_to_draw(double last) {

@@ -59,6 +59,12 @@ std::vector<ZonePoint> reaction_profile(ReactionZone const& zone, Kinetics const
 /// Where a zone counts as begun and ended when its length is stated.
 inline constexpr double zone_begin = 0.02, zone_end = 0.98;
 
+/// Between them, by the nearest of the points, of which there must be one at least.
+struct ZoneExtent {
+  double length, duration;
+};
+ZoneExtent zone_extent(std::vector<ZonePoint> const& points);
+
 /// Progresses that draw the zone up to `last` in (zone_end, 1), with 0, zone_begin and zone_end among them.
 std::vector<double> progress_to_draw(double last);
 

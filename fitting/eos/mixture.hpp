@@ -43,7 +43,12 @@ struct MixtureState {
 /// Many states at once: mixture_array.hpp.
 template <EquationOfState Reactant, EquationOfState Product>
 class Mixture {
+  template <class E>
+  using IsochoreOf = decltype(std::declval<E const&>().isochore(1.0));
+
  public:
+  using At = MixtureAt<double, IsochoreOf<Reactant>, IsochoreOf<Product>>;
+
   Mixture(Reactant reactant, Product product, VolumeLaw law = VolumeLaw::additive_volume)
       : reactant_(std::move(reactant)), product_(std::move(product)), law_(law),
         reactant_rho_max_(reactant_.domain().rho_max), product_rho_max_(product_.domain().rho_max),
@@ -68,6 +73,18 @@ class Mixture {
   MixtureState state_from_temperature(double lambda, double rho, double T) const;
   /// The state at a split that a solution left. Throws PhysicsError where it is not stable.
   MixtureState state_at(double lambda, double rho, MixtureSplit const& split) const;
+  /// Both parts at a split, stable or not, 0 < lambda < 1; for callers that ask for little. Throws
+  /// PhysicsError where a part is outside its model.
+  At at(double lambda, double rho, MixtureSplit const& split) const {
+    auto const d = mixture_densities(law_, lambda, rho, split.log_density_ratio);
+    double const T = split.T;
+    return {lambda,
+            rho,
+            T,
+            d.share,
+            {reactant_.isochore(d.reactant), d.reactant, T},
+            {product_.isochore(d.product), d.product, T}};
+  }
 
   Reactant const& reactant() const { return reactant_; }
   Product const& product() const { return product_; }
@@ -83,10 +100,6 @@ class Mixture {
       return given == Given::energy ? "energy" : given == Given::entropy ? "entropy" : "temperature";
     }
   };
-  template <class E>
-  using IsochoreOf = decltype(std::declval<E const&>().isochore(1.0));
-  using At = MixtureAt<double, IsochoreOf<Reactant>, IsochoreOf<Product>>;
-
   /// The energy or the entropy of a trial, whichever is given.
   static double value(Problem const& p, At const& at) {
     return p.given == Given::entropy ? at.entropy() : at.energy();
@@ -105,17 +118,7 @@ class Mixture {
                                    p.name(), p.value, why));
   }
 
-  /// Throws PhysicsError where a part is outside its model.
-  At at(Problem const& p, MixtureSplit const& split) const {
-    auto const d = mixture_densities(law_, p.lambda, p.rho, split.log_density_ratio);
-    double const T = split.T;
-    return {p.lambda,
-            p.rho,
-            T,
-            d.share,
-            {reactant_.isochore(d.reactant), d.reactant, T},
-            {product_.isochore(d.product), d.product, T}};
-  }
+  At at(Problem const& p, MixtureSplit const& split) const { return at(p.lambda, p.rho, split); }
   static bool stable(At const& at) { return at.reactant.rho_P_rho > 0 && at.product.rho_P_rho > 0; }
 
   MixtureState solve(Problem const& p, std::optional<MixtureSplit> const& guess) const;

@@ -69,8 +69,9 @@ void for_each_component_pack(std::span<double const> lambda, std::size_t begin, 
       f(kind, pack);
 }
 
-/// Many mixtures at once; models without isochores of packs go one by one. Particles that the rule of
-/// PureProgress counts as pure get the pure model's answer, and keep their ratio of densities for a later
+/// Many mixtures at once. The engine solves its mixtures one by one, as yet; this is timed
+/// by `bench eos --model mixture`. Models without isochores of packs go one by one. Particles that the rule
+/// of PureProgress counts as pure get the pure model's answer, and keep their ratio of densities for a later
 /// start.
 template <EquationOfState Reactant, EquationOfState Product>
 class MixtureArray {

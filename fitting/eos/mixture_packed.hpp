@@ -65,40 +65,32 @@ class PackedMixture {
     PackMask solved;
   };
   Solution from_energy(Pack lambda, Pack rho, Pack e, PackedSplit const& guess) const {
-    return newton(lambda, rho, guess, [&](At const& at) {
-      return Equation{e - at.energy(), at.energy_r(), at.energy_T()};
-    });
+    return newton(lambda, rho, guess,
+                  [&](At const& at) { return at.step(e - at.energy(), at.energy_r(), at.energy_T()); });
   }
   Solution from_entropy(Pack lambda, Pack rho, Pack s, PackedSplit const& guess) const {
-    return newton(lambda, rho, guess, [&](At const& at) {
-      return Equation{s - at.entropy(), at.entropy_r(), at.entropy_T()};
-    });
+    return newton(lambda, rho, guess,
+                  [&](At const& at) { return at.step(s - at.entropy(), at.entropy_r(), at.entropy_T()); });
   }
 
  private:
-  struct Equation {
-    Pack rest, by_r, by_T;
-  };
   static Pack magnitude(Pack x) { return select(x.v < 0, -x, x); }
 
   template <class F>
-  Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& equation) const {
+  Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& towards) const {
     constexpr double last_step = 1e-8, longest_step = 0.5;
     constexpr int most_steps = 12;
     PackMask running = ~PackMask{}, solved{};
-    for (int step = 0; step < most_steps && !all_of(~running); ++step) {
+    for (int iteration = 0; iteration < most_steps && !all_of(~running); ++iteration) {
       At const here = at(lambda, rho, split);
       running &= covered(here);
-      auto const [rest, by_r, by_T] = equation(here);
-      Pack const inverse = 1.0 / here.gap_r(), r_T = -here.gap_T() * inverse,
-                 r_gap = -here.pressure_gap() * inverse;
-      Pack const dT = (rest - by_r * r_gap) / (by_T + by_r * r_T), dr = r_gap + r_T * dT;
-      Pack const T_change = magnitude(dT) / split.T, r_change = magnitude(dr);
+      auto const step = towards(here);
+      Pack const T_change = magnitude(step.dT) / split.T, r_change = magnitude(step.dr);
       Pack const longest = select(T_change.v > r_change.v, T_change, r_change);
       Pack const fraction = select(longest.v > longest_step, longest_step / longest, 1.0);
-      split.T = select(running, split.T + fraction * dT, split.T);
+      split.T = select(running, split.T + fraction * step.dT, split.T);
       split.log_density_ratio =
-          select(running, split.log_density_ratio + fraction * dr, split.log_density_ratio);
+          select(running, split.log_density_ratio + fraction * step.dr, split.log_density_ratio);
       auto const arrived = running & (longest.v < last_step);
       solved |= arrived;
       running &= ~arrived;

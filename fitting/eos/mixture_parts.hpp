@@ -54,6 +54,13 @@ class MixturePart {
   Isochore isochore_;
 };
 
+/// A step of Newton's method in T and r = ln(rho_1/rho_0).
+template <class X>
+struct MixtureStep {
+  X dT, dr;
+  X slope; ///< of the quantity that is looked for, by T along the balance
+};
+
 /// A mixture of reactant and product at equal temperature, for one state or a Pack: its pressures need not
 /// balance yet. What it says of the whole, but for the gap and the derivatives by T and r, holds where they
 /// do. X is double or Pack, R and P are the isochores of the parts.
@@ -80,6 +87,13 @@ struct MixtureAt {
   /// dr/dT along the equilibrium, and the heat capacity there.
   X r_T() const { return -gap_T() / gap_r(); }
   X heat_capacity() const { return energy_T() + energy_r() * r_T(); }
+  /// Towards the balance and a given value of a quantity of the whole (energy, entropy), of which `missing`
+  /// is missing; by_r and by_T are its derivatives.
+  MixtureStep<X> step(X missing, X by_r, X by_T) const {
+    X const inverse = 1.0 / gap_r(), along = -gap_T() * inverse, r_gap = -pressure_gap() * inverse;
+    X const slope = by_T + by_r * along, dT = (missing - by_r * r_gap) / slope;
+    return {dT, r_gap + along * dT, slope};
+  }
   /// At constant entropy and progress; with the paper's law that of de = -P dv.
   X sound_speed_squared() const {
     // How the split follows the density of the whole, ln rho.

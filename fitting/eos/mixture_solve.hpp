@@ -8,21 +8,18 @@ namespace mesobridge::fitting {
 template <EquationOfState Reactant, EquationOfState Product>
 template <class E>
 MixtureState Mixture<Reactant, Product>::pure(E const& eos, Problem const& p) {
-  double const T = p.given == Given::temperature ? p.value
-                   : p.given == Given::energy
-                       ? eos.temperature(p.value, p.rho)
-                       : eos.temperature(eos.energy_from_entropy(p.value, p.rho), p.rho);
-  double const e = eos.energy_from_temperature(T, p.rho);
-  auto const isochore = eos.isochore(p.rho);
-  return {.split = {T, 0},
+  EosState const at = p.given == Given::temperature ? fitting::state_from_temperature(eos, p.rho, p.value)
+                      : p.given == Given::energy    ? fitting::state_from_energy(eos, p.rho, p.value)
+                                                    : fitting::state_from_entropy(eos, p.rho, p.value);
+  return {.split = {at.T, 0},
           .rho_reactant = p.rho,
           .rho_product = p.rho,
-          .T = T,
-          .P = isochore.pressure(T),
-          .e = e,
-          .s = isochore.entropy(T),
-          .c_v = isochore.heat_capacity(T),
-          .sound_speed_squared = mesobridge::fitting::sound_speed_squared(isochore, T)};
+          .T = at.T,
+          .P = at.P,
+          .e = at.e,
+          .s = at.s,
+          .c_v = at.c_v,
+          .sound_speed_squared = at.sound_speed_squared};
 }
 
 template <EquationOfState Reactant, EquationOfState Product>
@@ -79,15 +76,13 @@ std::optional<MixtureState> Mixture<Reactant, Product>::newton_steps(Problem con
   for (int iteration = 0; iteration < most_steps && split.T > 0; ++iteration) {
     At const here = at(p, split);
     bool const by_entropy = p.given == Given::entropy;
-    double const inverse = 1 / here.gap_r(), r_T = -here.gap_T() * inverse;
-    double const value_r = by_entropy ? here.entropy_r() : here.energy_r();
-    double const slope = (by_entropy ? here.entropy_T() : here.energy_T()) + value_r * r_T;
+    auto const [dT, dr, slope] =
+        here.step(p.value - value(p, here), by_entropy ? here.entropy_r() : here.energy_r(),
+                  by_entropy ? here.entropy_T() : here.energy_T());
     if (!(stable(here) && slope > 0))
       return std::nullopt;
     if (converged)
       return here.heat_capacity() > 0 ? std::optional(state_of(here, split.log_density_ratio)) : std::nullopt;
-    double const r_gap = -here.pressure_gap() * inverse;
-    double const dT = (p.value - value(p, here) - value_r * r_gap) / slope, dr = r_gap + r_T * dT;
     double const longest = std::max(std::abs(dT) / split.T, std::abs(dr));
     if (!(longest < std::numeric_limits<double>::infinity()))
       return std::nullopt;

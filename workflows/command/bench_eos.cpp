@@ -159,7 +159,7 @@ Result run(Options const& options, Context const& context) {
       append(result, material.name,
              std::visit([&](auto const& eos) { return times_of(eos, options, seed); }, material.eos));
   if (options.model.empty() || mixtures) {
-    append(result, "mixture", times_of_mixtures(options, seed, fitting::VolumeLaw::additive_volume));
+    append(result, of_mixtures, times_of_mixtures(options, seed, fitting::VolumeLaw::additive_volume));
     append(result, "mixture, paper's volumes", times_of_mixtures(options, seed, fitting::VolumeLaw::paper));
   }
   result.json["states"] = options.states;

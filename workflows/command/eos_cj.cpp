@@ -30,7 +30,7 @@ Result chapman_jouguet(DetonationOptions const& options, Context const& context)
   auto const columns = detonation_columns(cj);
   auto const at_model_pressure = detonation_columns(explosive.from_model_pressure.chapman_jouguet());
   Result result;
-  result.json = {{"reactant", options.reactant}, {"product", options.product}};
+  result.json = options.names();
   put_first_row(result.json, columns, reduced);
   result.json["q" + std::string(reduced ? "" : "_J_kg")] = options.q;
   result.json["P0" + std::string(reduced ? "" : "_Pa")] = options.P0.value_or(0);
@@ -49,18 +49,15 @@ Result chapman_jouguet(DetonationOptions const& options, Context const& context)
 void declare(CLI::App& app, DetonationOptions& options) {
   options.declare(app);
   app.description(
-      "The Chapman-Jouguet detonation: the slowest one, whose Rayleigh line touches the Crussard curve "
-      "and "
+      "The Chapman-Jouguet detonation: the slowest one, whose Rayleigh line touches the Crussard curve and "
       "whose products leave the front at their speed of sound. Solved from the sonic condition; the "
       "tangency and the minimum of D are checked.\n\n"
       "About nitromethane: from 1104 kg/m^3, 300 K with q = 4.716e6 J/kg (4.78e-19 J a molecule, the "
-      "exothermicity that the thesis prints) D is 6757 m/s. The thesis quotes 6620 m/s as the "
-      "hydrodynamic "
-      "prediction; its own equations give that for q = 3.52e6 J/kg, and it does not say which heat it "
-      "took. The JWL model of the products was calibrated with the heat of reaction inside its zero of "
+      "exothermicity that the thesis prints) D is 6757 m/s. The thesis quotes 6620 m/s as the hydrodynamic "
+      "prediction; its own equations give that for q = 3.52e6 J/kg, and it does not say which heat it took. "
+      "The JWL model of the products was calibrated with the heat of reaction inside its zero of "
       "energy: with --q 0 from 1128 kg/m^3 it returns its calibration, 6280 m/s, so that any q > 0 "
-      "counts "
-      "heat on top of that.");
+      "counts heat on top of that.");
 }
 
 } // namespace

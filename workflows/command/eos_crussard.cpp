@@ -38,7 +38,7 @@ Result crussard(Options const& options, Context const& context) {
   auto const slices = slices_of(options, context, reduced);
   auto const asked = options.shock.shock(explosive.crussard);
   Result result;
-  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json = options.detonation.names();
   if (asked) {
     warn_outside_data(explosive.product, asked->behind.rho, asked->behind.T, context);
     auto const columns = shock_columns({*asked});

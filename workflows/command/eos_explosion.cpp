@@ -9,18 +9,17 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  DetonationOptions detonation;
-  VolumeLawOption volumes;
+  ReactionOptions explosive;
   double lambda = 1;
 };
 
 Result explosion(Options const& options, Context const& context) {
   require(options.lambda >= 0 && options.lambda <= 1, "--lambda", options.lambda, "must lie in [0, 1]");
-  auto const fluid = reactive_fluid(options.detonation, options.volumes, context);
+  auto const fluid = options.explosive.fluid(context);
   auto const& rest = fluid.at_rest;
   auto const columns = mixture_columns(rest.rho, fluid.exploded(rest.rho, rest.e, options.lambda));
   Result result;
-  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json = options.explosive.detonation.names();
   result.json["lambda"] = options.lambda;
   put_first_row(result.json, columns, false);
   result.json["q_J_kg"] = fluid.q;
@@ -30,8 +29,7 @@ Result explosion(Options const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  options.detonation.declare(app, pressure_of_the_model);
-  options.volumes.declare(app);
+  options.explosive.declare(app);
   app.add_option("--lambda", options.lambda, "Progress of the reaction, 0 to 1")->capture_default_str();
   app.description("The state that an explosive comes to when it reacts at constant volume and loses no heat: "
                   "e = e_0 + q lambda at the initial density.");

@@ -11,8 +11,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  DetonationOptions detonation;
-  VolumeLawOption volumes;
+  ReactionOptions explosive;
   KineticsOptions kinetics;
   std::optional<double> v_P;
 };
@@ -34,10 +33,10 @@ void put(Result& result, Columns const& columns, double rho, fitting::ThermalExp
 }
 
 Result induction(Options const& options, Context const& context) {
-  auto const fluid = reactive_fluid(options.detonation, options.volumes, context);
+  auto const fluid = options.explosive.fluid(context);
   auto const kinetics = options.kinetics.kinetics(fluid.at_rest.rho);
   Result result;
-  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json = options.explosive.detonation.names();
   if (!options.v_P) {
     auto const& rest = fluid.at_rest;
     auto const explosion = fitting::thermal_explosion(fluid, rest.rho, rest.e, kinetics);
@@ -57,9 +56,8 @@ Result induction(Options const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  options.detonation.declare(app, pressure_of_the_model);
+  options.explosive.declare(app);
   options.kinetics.declare(app);
-  options.volumes.declare(app);
   app.add_option(
       "--vp", options.v_P,
       "Velocity of a piston (m/s) whose shock heats the explosive. If not given, the state of --rho0 "

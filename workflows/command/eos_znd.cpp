@@ -10,8 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Options {
-  DetonationOptions detonation;
-  VolumeLawOption volumes;
+  ReactionOptions explosive;
   KineticsOptions kinetics;
   std::optional<double> D;
   double last = 0.999;
@@ -71,32 +70,20 @@ Plot zone_plot(std::string const& title, std::vector<fitting::ZonePoint> const& 
                      Panel{.series = {lambda}, .y = {.label = "lambda"}, .legend = Legend::none}}};
 }
 
-/// The zone's begin and end within the points drawn.
-struct Zone {
-  double length, duration;
-};
-Zone zone_of(std::vector<fitting::ZonePoint> const& points) {
-  auto const at = [&](double lambda) {
-    return *std::ranges::min_element(points, {}, [&](auto const& p) { return std::abs(p.lambda - lambda); });
-  };
-  auto const begin = at(fitting::zone_begin), end = at(fitting::zone_end);
-  return {end.x - begin.x, end.t - begin.t};
-}
-
 Result znd(Options const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
-  auto const fluid = reactive_fluid(options.detonation, options.volumes, context);
+  auto const fluid = options.explosive.fluid(context);
   auto const kinetics = options.kinetics.kinetics(fluid.at_rest.rho);
   auto const crussard = fluid.crussard();
   auto const cj = crussard.chapman_jouguet();
   if (options.D)
     require_positive_number("--D", *options.D);
-  auto const last = fitting::progress_to_draw(options.last);
+  auto const progress = fitting::progress_to_draw(options.last);
   fitting::ReactionZone const zone(fluid, options.D.value_or(cj.v_S));
-  auto const points = fitting::reaction_profile(zone, kinetics, last);
+  auto const points = fitting::reaction_profile(zone, kinetics, progress);
   auto const& spike = zone.von_neumann().behind;
-  auto const [length, duration] = zone_of(points);
+  auto const [length, duration] = fitting::zone_extent(points);
   Columns const head{{"D", "_m_s", "m/s", {zone.D()}},
                      {"D_CJ", "_m_s", "m/s", {cj.v_S}},
                      {"von_neumann_P", "_Pa", "Pa", {spike.P}},
@@ -107,7 +94,7 @@ Result znd(Options const& options, Context const& context) {
                      {"zone_time", "_s", "s", {duration}}};
   auto const columns = zone_columns(points);
   Result result;
-  result.json = {{"reactant", options.detonation.reactant}, {"product", options.detonation.product}};
+  result.json = options.explosive.detonation.names();
   put_first_row(result.json, head, false);
   result.json["q_J_kg"] = fluid.q;
   result.json["P0_Pa"] = fluid.at_rest.P;
@@ -123,16 +110,15 @@ Result znd(Options const& options, Context const& context) {
                 fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",
                             fitting::zone_begin, fitting::zone_end, fluid.at_rest.P);
   auto const title =
-      fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.detonation.reactant, zone.D());
+      fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.explosive.detonation.reactant, zone.D());
   write_curve(
       context, result, [&] { return csv_text(columns, false); }, [&] { return zone_plot(title, points); });
   return result;
 }
 
 void declare(CLI::App& app, Options& options) {
-  options.detonation.declare(app, pressure_of_the_model);
+  options.explosive.declare(app);
   options.kinetics.declare(app);
-  options.volumes.declare(app);
   app.add_option(
       "--D", options.D,
       "Velocity of the front in m/s. If not given that of Chapman and Jouguet; more: an overdriven "

@@ -126,15 +126,15 @@ std::vector<Command> commands() {
        .declare = eos_znd_command},
       {.name = "eos explosion",
        .summary = "The state after an explosion at constant volume, complete or not",
-       .example = "mesobridge eos explosion --reactant nitromethane --product nitromethane-products --rho0 "
-                  "1104 --T0 "
-                  "300 --q 4.716e6",
+       .example =
+           "mesobridge eos explosion --reactant nitromethane --product nitromethane-products --rho0 1104 "
+           "--T0 300 --q 4.716e6",
        .declare = eos_explosion_command},
       {.name = "eos induction",
        .summary = "Time to explosion of a hot or shocked explosive; where a detonation overtakes the shock",
-       .example = "mesobridge eos induction --reactant nitromethane --product nitromethane-products --rho0 "
-                  "1104 --T0 "
-                  "300 --q 4.716e6 --Z 1e15 --Ea 3e-19 --vp 1764",
+       .example =
+           "mesobridge eos induction --reactant nitromethane --product nitromethane-products --rho0 1104 "
+           "--T0 300 --q 4.716e6 --Z 1e15 --Ea 3e-19 --vp 1764",
        .declare = eos_induction_command},
       {.name = "eos isentrope",
        .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",

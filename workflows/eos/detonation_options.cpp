@@ -20,15 +20,12 @@ void DetonationOptions::declare(CLI::App& app, std::string const& default_of_P0)
           default_of_P0);
 }
 
-void VolumeLawOption::declare(CLI::App& app) {
+void ReactionOptions::declare(CLI::App& app) {
+  detonation.declare(app, "that of the reactant's model, as in a simulation");
   add_choice(
-      app, "--volume-law", name, {"additive-volume", "paper"},
+      app, "--volume-law", volume_law, {"additive-volume", "paper"},
       "How the volumes of reactant and products make that of the mixture: 1/rho = (1 - lambda)/rho_0 + "
       "lambda/rho_1, or the thesis's rho = (1 - lambda) rho_0 + lambda rho_1");
-}
-
-fitting::VolumeLaw VolumeLawOption::law() const {
-  return name == "paper" ? fitting::VolumeLaw::paper : fitting::VolumeLaw::additive_volume;
 }
 
 Explosive explosive(DetonationOptions const& options, Context const& context) {
@@ -36,6 +33,7 @@ Explosive explosive(DetonationOptions const& options, Context const& context) {
   require_same_units(reactant, product);
   double const P0 = options.P0.value_or(0);
   require(std::isfinite(P0), "--P0", P0, "must be finite");
+  require(std::isfinite(options.q), "--q", options.q, "must be finite");
   auto const at_rest = options.initial.of(reactant, context);
   auto ahead = at_rest;
   ahead.P = P0;
@@ -46,20 +44,15 @@ Explosive explosive(DetonationOptions const& options, Context const& context) {
           .from_model_pressure = fitting::Hugoniot(at_rest, product.fluid, options.q)};
 }
 
-fitting::ReactiveFluid reactive_fluid(DetonationOptions const& options, VolumeLawOption const& law,
-                                      Context const& context) {
-  auto const reactant = load_fluid(options.reactant), product = load_fluid(options.product);
-  require_same_units(reactant, product);
-  if (reactant.reduced)
+fitting::ReactiveFluid ReactionOptions::fluid(Context const& context) const {
+  auto const of = explosive(detonation, context);
+  if (of.reactant.reduced)
     throw InputError(
-        fmt::format("'{}' is in Lennard-Jones units: an explosive must be in SI", reactant.name));
-  require(std::isfinite(options.q), "--q", options.q, "must be finite");
-  auto at_rest = options.initial.of(reactant, context);
-  if (options.P0) {
-    require(std::isfinite(*options.P0), "--P0", *options.P0, "must be finite");
-    at_rest.P = *options.P0;
-  }
-  return {reactant.model.eos, product.model.eos, law.law(), at_rest, options.q};
+        fmt::format("'{}' is in Lennard-Jones units: an explosive must be in SI", of.reactant.name));
+  auto at_rest = of.at_rest;
+  at_rest.P = detonation.P0.value_or(at_rest.P);
+  auto const law = volume_law == "paper" ? fitting::VolumeLaw::paper : fitting::VolumeLaw::additive_volume;
+  return {of.reactant.model.eos, of.product.model.eos, law, at_rest, detonation.q};
 }
 
 } // namespace mesobridge::workflows

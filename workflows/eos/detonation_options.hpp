@@ -13,14 +13,19 @@ struct DetonationOptions {
 
   /// The help says what P0 is where none is given.
   void declare(CLI::App& app, std::string const& default_of_P0 = "0, at which a liquid stands about");
+  /// The names of reactant and product, with which every result begins.
+  Json names() const { return {{"reactant", reactant}, {"product", product}}; }
 };
 
-/// --volume-law of the mixture of reactant and products.
-struct VolumeLawOption {
-  std::string name = "additive-volume";
+/// An explosive with the mixtures that it goes through. Where no --P0 is given it rests at the pressure of
+/// the reactant's model, as in a simulation.
+struct ReactionOptions {
+  DetonationOptions detonation;
+  std::string volume_law = "additive-volume";
 
   void declare(CLI::App& app);
-  fitting::VolumeLaw law() const;
+  /// Throws InputError as explosive(), and for reduced models, which have no rates in SI. Warns as that.
+  fitting::ReactiveFluid fluid(Context const& context) const;
 };
 
 struct Explosive {
@@ -30,17 +35,8 @@ struct Explosive {
   fitting::Hugoniot from_model_pressure;
 };
 
-/// Throws InputError for unknown models or mixed units. Warns where the reactant at rest is outside its
-/// model's data.
+/// Throws InputError for unknown models, mixed units or numbers that are not finite. Warns where the reactant
+/// at rest is outside its model's data.
 Explosive explosive(DetonationOptions const& options, Context const& context);
-
-/// What declare says of P0 for commands whose explosive rests at its model's own pressure, as in a
-/// simulation.
-inline constexpr char const* pressure_of_the_model = "that of the reactant's model, as in a simulation";
-
-/// The same explosive with its mixtures, at rest at --P0 or at the pressure of the reactant's model. Throws
-/// InputError also for reduced models, which have no rates in SI.
-fitting::ReactiveFluid reactive_fluid(DetonationOptions const& options, VolumeLawOption const& law,
-                                      Context const& context);
 
 } // namespace mesobridge::workflows

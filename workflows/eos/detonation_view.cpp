@@ -67,10 +67,8 @@ SliceStates read_slices(std::filesystem::path const& file) {
     auto const numbers = numbers_of(row, table.columns);
     auto const rho = numbers.value(fitting::Quantity::rho), P = numbers.value(fitting::Quantity::P);
     if (!rho || !P)
-      throw InputError(
-          fmt::format("{}: a slice needs a density and a pressure (columns such as rho_kg_m3 and "
-                      "P_GPa)",
-                      row.origin));
+      throw InputError(fmt::format(
+          "{}: a slice needs a density and a pressure (columns such as rho_kg_m3 and P_GPa)", row.origin));
     require(*rho > 0, row.origin + ": density", *rho, "must be > 0");
     slices.rho.push_back(*rho);
     slices.P.push_back(*P);

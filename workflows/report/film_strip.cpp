@@ -1,10 +1,12 @@
 #include "workflows/report/film_strip.hpp"
 #include "md/error.hpp"
 #include "workflows/process.hpp"
+#include "workflows/report/colour_scale.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/report/plot_axes.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/report/svg_parts.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,12 +17,6 @@ namespace {
 
 constexpr int left = 64, right_margin = 104, top = 34, bottom = 46, gap = 26, shades = 32;
 constexpr double narrowest = 40, tallest = 420; ///< heights of a frame, in pixels
-
-struct Colour {
-  int red, green, blue;
-};
-constexpr std::array<Colour, 5> stops{
-    {{0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}}};
 
 void check(FilmStrip const& strip) {
   bool fits = !strip.frames.empty();
@@ -33,12 +29,6 @@ void check(FilmStrip const& strip) {
 double share_of(FilmStrip const& strip, double value) {
   double const width = strip.value_to - strip.value_from;
   return width > 0 ? (value - strip.value_from) / width : 0.5;
-}
-
-std::string text_at(double x, double y, std::string const& anchor, std::string const& text,
-                    std::string const& more = "") {
-  return fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}' {}>{}</text>\n", x, y, anchor, more,
-                     html_escaped(text));
 }
 
 /// Where the frames are: as many columns as leave them a fair size.
@@ -67,7 +57,8 @@ std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout
   std::array<std::string, shades> dots;
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
     double const x = frame.x[k], y = frame.y[k];
-    if (!(x >= strip.x_from && x <= strip.x_to && y >= strip.y_from && y <= strip.y_to))
+    if (!(x >= strip.x_from && x <= strip.x_to && y >= strip.y_from && y <= strip.y_to) ||
+        !std::isfinite(frame.value[k]))
       continue;
     auto const shade = static_cast<std::size_t>(
         std::clamp(share_of(strip, frame.value[k]) * shades, 0.0, double{shades} - 1));
@@ -78,36 +69,22 @@ std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout
   std::string svg = fmt::format("<g fill='none' stroke-linecap='round' stroke-width='{:.1f}'>\n", size);
   for (std::size_t shade = 0; shade < shades; ++shade)
     if (!dots[shade].empty())
-      svg += fmt::format("<path stroke='{}' d='{}'/>\n", film_colour((double(shade) + 0.5) / shades),
+      svg += fmt::format("<path stroke='{}' d='{}'/>\n", scale_colour((double(shade) + 0.5) / shades),
                          dots[shade]);
   return svg + "</g>\n";
 }
 
 std::string colour_bar(FilmStrip const& strip, double x, double y, double height) {
   constexpr double width = 14;
-  std::string svg;
-  for (int k = 0; k < shades; ++k)
-    svg += fmt::format("<rect x='{:.1f}' y='{:.2f}' width='{}' height='{:.2f}' fill='{}'/>\n", x,
-                       y + height * (1 - (k + 1.0) / shades), width, height / shades + 0.3,
-                       film_colour((k + 0.5) / shades));
-  svg += text_at(x + width + 4, y + height, "start", number_text(strip.value_from, 3));
-  svg += text_at(x + width + 4, y + 11, "start", number_text(strip.value_to, 3));
+  std::string svg = svg_colour_bar(x, y, width, height, shades, scale_colour);
+  svg += svg_text(x + width + 4, y + height, "start", number_text(strip.value_from, 3));
+  svg += svg_text(x + width + 4, y + 11, "start", number_text(strip.value_to, 3));
   double const label = x + width + 58;
-  return svg + text_at(label, y + height / 2, "middle", strip.value_label,
-                       fmt::format("transform='rotate(-90 {:.1f} {:.1f})'", label, y + height / 2));
+  return svg + svg_text(label, y + height / 2, "middle", strip.value_label,
+                        fmt::format("transform='rotate(-90 {:.1f} {:.1f})'", label, y + height / 2));
 }
 
 } // namespace
-
-std::string film_colour(double share) {
-  double const at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  auto const k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  double const part = at - static_cast<double>(k);
-  auto const mix = [&](int Colour::*of) {
-    return std::lround(std::lerp(stops[k].*of, stops[k + 1].*of, part));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue));
-}
 
 std::string with_raised_numbers(std::string label) {
   for (auto const& [from, to] : {std::pair("^3", "³"), {"^{-21}", "⁻²¹"}, {"^2", "²"}})
@@ -126,7 +103,7 @@ std::string draw_svg(FilmStrip const& strip) {
       "font-family='{}' font-size='13' fill='currentColor'>\n<title>{}: {} over {} and {}</title>\n",
       full_width, full_height, plot_font, html_escaped(strip.title), html_escaped(strip.value_label),
       html_escaped(strip.x_label), html_escaped(strip.y_label));
-  svg += text_at(left + (full_width - left - right_margin) / 2, 20, "middle", strip.title);
+  svg += svg_text(left + (full_width - left - right_margin) / 2, 20, "middle", strip.title);
   int const frames = static_cast<int>(strip.frames.size());
   for (int k = 0; k < frames; ++k) {
     auto const& frame = strip.frames[static_cast<std::size_t>(k)];
@@ -134,18 +111,18 @@ std::string draw_svg(FilmStrip const& strip) {
     svg += fmt::format("<rect x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' fill='none' "
                        "stroke='#8c959f'/>\n",
                        at.x(k), at.y(k), at.width, at.height);
-    svg += text_at(at.x(k), at.y(k) - 6, "start", frame.title);
+    svg += svg_text(at.x(k), at.y(k) - 6, "start", frame.title);
   }
   for (int column = 0; column < at.columns; ++column) {
     double const x = at.x(column), y = at.bottom_edge() + 16;
-    svg += text_at(x, y, "start", number_text(strip.x_from, 3));
-    svg += text_at(x + at.width, y, "end", number_text(strip.x_to, 3));
-    svg += text_at(x + at.width / 2, y, "middle", strip.x_label);
+    svg += svg_text(x, y, "start", number_text(strip.x_from, 3));
+    svg += svg_text(x + at.width, y, "end", number_text(strip.x_to, 3));
+    svg += svg_text(x + at.width / 2, y, "middle", strip.x_label);
   }
-  svg += text_at(left - 6, at.y(0) + at.height, "end", number_text(strip.y_from, 3));
-  svg += text_at(left - 6, at.y(0) + 11, "end", number_text(strip.y_to, 3));
-  svg += text_at(16, at.y(0) + at.height / 2, "middle", strip.y_label,
-                 fmt::format("transform='rotate(-90 16 {:.1f})'", at.y(0) + at.height / 2));
+  svg += svg_text(left - 6, at.y(0) + at.height, "end", number_text(strip.y_from, 3));
+  svg += svg_text(left - 6, at.y(0) + 11, "end", number_text(strip.y_to, 3));
+  svg += svg_text(16, at.y(0) + at.height / 2, "middle", strip.y_label,
+                  fmt::format("transform='rotate(-90 16 {:.1f})'", at.y(0) + at.height / 2));
   double const all = at.bottom_edge() - at.y(0);
   svg += colour_bar(strip, full_width - right_margin + 16, at.y(0), std::min(all, 260.0));
   return svg + "</svg>\n";
@@ -158,15 +135,12 @@ void draw_png(FilmStrip const& strip, std::size_t frame_number, std::string cons
   constexpr int width = 1200;
   int const height = static_cast<int>(std::clamp(200 + 900 / aspect, 280.0, 1200.0));
   double const point = std::clamp(strip.point_size / (strip.x_to - strip.x_from) * 900 / 8, 0.2, 3.0);
-  std::string quoted_file = file;
-  for (auto at = quoted_file.find('\''); at != std::string::npos; at = quoted_file.find('\'', at + 2))
-    quoted_file.insert(at, "'");
   std::string script = fmt::format(
-      "set encoding utf8\nset terminal pngcairo size {},{} enhanced font '{},16'\nset output '{}'\n"
-      "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\nunset key\n"
-      "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
+      "set encoding utf8\nset terminal pngcairo size {},{} enhanced font '{},16'\nset output {}\n{}"
+      "unset key\nset title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\n"
+      "set xrange [{}:{}]\nset yrange [{}:{}]\n"
       "set cbrange [{}:{}]\n$points << EOD\n",
-      width, height, plot_font, quoted_file, escaped(strip.title + ", " + frame.title),
+      width, height, plot_font, escaped(file), gnuplot_palette(), escaped(strip.title + ", " + frame.title),
       escaped(strip.x_label), escaped(strip.y_label), escaped(strip.value_label), strip.x_from, strip.x_to,
       strip.y_from, strip.y_to, strip.value_from,
       strip.value_to > strip.value_from ? strip.value_to : strip.value_from + 1);

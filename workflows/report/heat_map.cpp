@@ -2,6 +2,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/report/svg_parts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -23,12 +24,6 @@ std::string colour(double part) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(255, 0, 0), mix(255, 114, 20), mix(255, 178, 46));
 }
 
-std::string text_at(double x, double y, std::string const& anchor, std::string const& text,
-                    std::string const& more = "") {
-  return fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}' {}>{}</text>\n", x, y, anchor, more,
-                     html_escaped(text));
-}
-
 } // namespace
 
 std::string draw_svg(HeatMap const& map) {
@@ -41,7 +36,7 @@ std::string draw_svg(HeatMap const& map) {
                   "font-family='{}' font-size='{}'>\n<title>{}: {} over {} and {}</title>\n",
                   plot_width, plot_height, plot_font, plot_font_size, html_escaped(map.title),
                   html_escaped(map.value_label), html_escaped(map.x_label), html_escaped(map.y_label));
-  svg += text_at(left + wide / 2, 20, "middle", map.title);
+  svg += svg_text(left + wide / 2, 20, "middle", map.title);
   for (std::size_t i = 0; i < map.x.size(); ++i)
     for (std::size_t j = 0; j < map.y.size(); ++j) {
       auto const& value = map.value[i * map.y.size() + j];
@@ -52,24 +47,21 @@ std::string draw_svg(HeatMap const& map) {
   svg += fmt::format("<rect x='{}' y='{}' width='{:.1f}' height='{:.1f}' fill='none' stroke='#1f2328'/>\n",
                      left, top_margin, wide, high);
   for (std::size_t i = 0; i < map.x.size(); i += std::max<std::size_t>(1, map.x.size() / 5))
-    svg += text_at(left + (double(i) + 0.5) * cell_x, top_margin + high + 18, "middle",
-                   number_text(map.x[i], 3));
+    svg += svg_text(left + (double(i) + 0.5) * cell_x, top_margin + high + 18, "middle",
+                    number_text(map.x[i], 3));
   for (std::size_t j = 0; j < map.y.size(); j += std::max<std::size_t>(1, map.y.size() / 5))
-    svg += text_at(left - 6, top_margin + high - (double(j) + 0.5) * cell_y + 4, "end",
-                   number_text(map.y[j], 3));
-  svg += text_at(left + wide / 2, plot_height - 10, "middle", map.x_label);
-  svg += text_at(16, top_margin + high / 2, "middle", map.y_label,
-                 fmt::format("transform='rotate(-90 16 {:.1f})'", top_margin + high / 2));
+    svg += svg_text(left - 6, top_margin + high - (double(j) + 0.5) * cell_y + 4, "end",
+                    number_text(map.y[j], 3));
+  svg += svg_text(left + wide / 2, plot_height - 10, "middle", map.x_label);
+  svg += svg_text(16, top_margin + high / 2, "middle", map.y_label,
+                  fmt::format("transform='rotate(-90 16 {:.1f})'", top_margin + high / 2));
   constexpr int shades = 40;
   double const scale_x = left + wide + 16;
-  for (int k = 0; k < shades; ++k)
-    svg += fmt::format("<rect x='{:.1f}' y='{:.2f}' width='{}' height='{:.2f}' fill='{}'/>\n", scale_x,
-                       top_margin + high * (1 - (k + 1.0) / shades), scale_width, high / shades + 0.3,
-                       colour((k + 0.5) / shades));
-  svg += text_at(scale_x + scale_width + 4, top_margin + high, "start", "0");
-  svg += text_at(scale_x + scale_width + 4, top_margin + 10, "start", number_text(map.top, 2));
-  svg += text_at(plot_width - 8, top_margin + high / 2, "middle", map.value_label,
-                 fmt::format("transform='rotate(-90 {} {:.1f})'", plot_width - 8, top_margin + high / 2));
+  svg += svg_colour_bar(scale_x, top_margin, scale_width, high, shades, colour);
+  svg += svg_text(scale_x + scale_width + 4, top_margin + high, "start", "0");
+  svg += svg_text(scale_x + scale_width + 4, top_margin + 10, "start", number_text(map.top, 2));
+  svg += svg_text(plot_width - 8, top_margin + high / 2, "middle", map.value_label,
+                  fmt::format("transform='rotate(-90 {} {:.1f})'", plot_width - 8, top_margin + high / 2));
   return svg + "</svg>\n";
 }
 

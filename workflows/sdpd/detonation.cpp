@@ -74,10 +74,7 @@ bool has_profiles(Store const& store, OutputUnits const& units) {
 } // namespace
 
 double DetonationTheory::zone_length() const {
-  auto const at = [&](double lambda) {
-    return std::ranges::min_element(zone, {}, [&](auto const& p) { return std::abs(p.lambda - lambda); })->x;
-  };
-  return zone.empty() ? 0 : at(fitting::zone_end) - at(fitting::zone_begin);
+  return zone.empty() ? 0 : fitting::zone_extent(zone).length;
 }
 
 std::optional<DetonationTheory> detonation_theory(sdpd::SimulationSettings const& settings) {

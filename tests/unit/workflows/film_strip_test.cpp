@@ -1,7 +1,9 @@
 #include "scratch_directory.hpp"
+#include "workflows/report/colour_scale.hpp"
 #include "workflows/report/film_strip.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
+#include <limits>
 #include <regex>
 
 namespace mesobridge::workflows {
@@ -42,10 +44,18 @@ TEST(FilmStrip, ShowsThePointsOfEachFrameOnceWithTitlesAndAScale) {
 }
 
 TEST(FilmStrip, ColoursByTheScaleAndBeyondItByItsEnds) {
-  EXPECT_EQ(film_colour(-1), "#440154");
-  EXPECT_EQ(film_colour(0.5), "#21918c");
-  EXPECT_EQ(film_colour(2), "#fde725");
-  EXPECT_EQ(film_colour(0.125), "#402a70"); // half way between the first two
+  EXPECT_EQ(scale_colour(-1), "#440154");
+  EXPECT_EQ(scale_colour(0.5), "#21918c");
+  EXPECT_EQ(scale_colour(2), "#fde725");
+  EXPECT_EQ(scale_colour(0.125), "#402a70"); // half way between the first two
+  EXPECT_EQ(gnuplot_palette(),
+            "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n");
+}
+
+TEST(FilmStrip, LeavesOutPointsWithoutANumber) {
+  auto strip = two_frames();
+  strip.frames[0].value[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(count(draw_svg(strip), "M[0-9.]+ [0-9.]+h0"), 3);
 }
 
 TEST(FilmStrip, PutsPointsWhereTheyAre) {

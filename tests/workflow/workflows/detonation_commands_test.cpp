@@ -1,40 +1,22 @@
-#include "program.hpp"
+#include "eos_program.hpp"
 #include "scratch_directory.hpp"
-#include "workflows/command.hpp"
 #include "workflows/eos/detonation_view.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
-#include <sstream>
 
 // The commands of reaction zones and explosions as their users run them; numbers of an independent code.
 
 namespace mesobridge::workflows {
 namespace {
 
+using tests::eos;
+using tests::expect_near;
+using tests::json_of;
 using tests::ScratchDirectory;
 
 std::string const nitromethane =
     " --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 --q 4.7159e6";
 std::string const rates = " --Z 1e15 --Ea 3e-19";
-
-ProcessResult eos(std::string const& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words{"eos"};
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return tests::program(words);
-}
-
-Json json_of(std::string const& line) {
-  auto const result = eos(line + " --json");
-  EXPECT_EQ(result.status, 0) << line << "\n" << result.errors;
-  return result.status == 0 ? Json::parse(result.output) : Json::object();
-}
-
-void expect_near(Json const& found, std::string const& key, double expected, double tolerance) {
-  ASSERT_TRUE(found.contains(key)) << key << " in " << found.dump(2).substr(0, 2000);
-  EXPECT_NEAR(found[key].get<double>() / expected, 1, tolerance) << key;
-}
 
 TEST(DetonationCommands, ZndGivesTheZoneOfAnIndependentSolver) {
   auto const found = json_of("znd" + nitromethane + rates);

@@ -1,38 +1,20 @@
+#include "eos_program.hpp"
 #include "md/error.hpp"
-#include "program.hpp"
 #include "scratch_directory.hpp"
-#include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <sstream>
 
 // The commands of `mesobridge eos` as their users run them.
 
 namespace mesobridge::workflows {
 namespace {
 
+using tests::eos;
+using tests::expect_near;
+using tests::json_of;
 using tests::ScratchDirectory;
-
-ProcessResult eos(std::string const& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words{"eos"};
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return tests::program(words);
-}
-
-Json json_of(std::string const& line) {
-  auto const result = eos(line + " --json");
-  EXPECT_EQ(result.status, 0) << line << "\n" << result.errors;
-  return result.status == 0 ? Json::parse(result.output) : Json::object();
-}
-
-void expect_near(Json const& found, std::string const& key, double expected, double tolerance) {
-  ASSERT_TRUE(found.contains(key)) << key << " in " << found.dump(2);
-  EXPECT_NEAR(found[key].get<double>() / expected, 1, tolerance) << key;
-}
 
 struct ExpectedJump {
   std::string line;
