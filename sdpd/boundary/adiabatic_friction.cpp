@@ -57,8 +57,8 @@ std::optional<ThermalState> state_at(System const& system, Index i, double eps) 
 
 /// In (0, 1), of the particle and the wall.
 double uniform_number(NoiseSource const& source, std::uint32_t id, Wall const& wall) {
-  auto const word = Philox4x32::generate(
-      {id, wall.number, source.step_low, source.step_high_and_stream}, source.key)[0];
+  auto const word =
+      Philox4x32::generate({id, wall.number, source.step_low, source.step_high_and_stream}, source.key)[0];
   return (word + 0.5) / 4294967296.0;
 }
 

@@ -10,14 +10,15 @@ struct OfImage {
   double strength = 0, energy = 0;
 };
 
-/// Forces of one layer's images: along the normals of its walls, which these exert, the virial and the energy.
+/// Forces of one layer's images: along the normals of its walls, which these exert, the virial and the
+/// energy.
 struct OfLayer {
   Vec3 force;
   double virial = 0, energy = 0;
 };
 
-/// Adds the forces by the images of a layer, law(i, j, r) each. Half of their virial and energy is the fluid's,
-/// the other half the images'. The energy comes on top of that of the layers before.
+/// Adds the forces by the images of a layer, law(i, j, r) each. Half of their virial and energy is the
+/// fluid's, the other half the images'. The energy comes on top of that of the layers before.
 template <class Law>
 OfLayer add_forces(System& system, WallLayer const& layer, double energy_before, Law const& law) {
   auto& particles = system.particles;
@@ -38,8 +39,8 @@ OfLayer add_forces(System& system, WallLayer const& layer, double energy_before,
   return whole;
 }
 
-/// The same of all layers. An image behind several walls is pushed by each along its normal (Eq. (S56)). Returns
-/// the energy.
+/// The same of all layers. An image behind several walls is pushed by each along its normal (Eq. (S56)).
+/// Returns the energy.
 template <class Law>
 double add_forces(System& system, Law const& law) {
   double total = 0;

@@ -25,8 +25,9 @@ std::vector<double> of_walls(System const& system, F const& f) {
 
 Measurement wall_pressure() {
   return {.name = "wall_pressure",
-          .meaning = "force per area that pushes each wall out of the fluid, without that of its motion; with "
-                     "walls across several axes a mean over the lower and one over the upper ones",
+          .meaning =
+              "force per area that pushes each wall out of the fluid, without that of its motion; with "
+              "walls across several axes a mean over the lower and one over the upper ones",
           .components = lower_and_upper,
           .dimension = Dimension::pressure,
           .exists = with_walls,
@@ -53,7 +54,8 @@ Measurement wall_work() {
 
 Measurement wall_drag() {
   return {.name = "wall_drag",
-          .meaning = "momentum that the friction of the lower and the upper walls has given to the fluid so far",
+          .meaning =
+              "momentum that the friction of the lower and the upper walls has given to the fluid so far",
           .components = vectors_of_both,
           .dimension = Dimension::momentum,
           .exists = with_rough_walls,

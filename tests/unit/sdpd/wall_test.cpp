@@ -213,7 +213,9 @@ TEST(Walls, ThatCannotBeAreRefused) {
   };
   EXPECT_NO_THROW(check(between_walls(ideal_gas(50, 0.02), 0)));
   refused([](Faces& faces) { faces[2][0] = {}; });
-  refused([](Faces& faces) { faces[0] = faces[2], faces[0][0].motion.velocity = faces[2][1].motion.velocity = 1; });
+  refused([](Faces& faces) {
+    faces[0] = faces[2], faces[0][0].motion.velocity = faces[2][1].motion.velocity = 1;
+  });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0.1, 1}, {1, 2}}); });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0, 1}, {1, 2}, {1, 3}}); });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0, std::nan("")}}); });
