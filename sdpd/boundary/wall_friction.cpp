@@ -1,4 +1,5 @@
 #include "sdpd/boundary/wall_friction.hpp"
+#include "sdpd/boundary/mirror.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -59,8 +60,10 @@ double heat_weight(Law const& law, System const& system, Wall const& wall, std::
 /// Adds up in the order of the layer what f(k) says of its k-th particle.
 template <class F>
 void give(System const& system, Wall& wall, F const& f) {
-  std::vector<GivenByWall> given(wall.layer.particles.size());
-  for_each_index(given.size(), system.threads, [&](std::size_t k) { given[k] = f(k); });
+  thread_local std::vector<GivenByWall> of_caller; // kept so that no step allocates
+  auto& given = of_caller;                         // the same for all threads of the loop below
+  given.resize(wall.layer.particles.size());
+  for_each_index(given.size(), threads_for(system, wall.layer), [&](std::size_t k) { given[k] = f(k); });
   for (auto const& [impulse, work, heat] : given)
     wall.drag += impulse, wall.work += work, wall.heat += heat;
 }
@@ -74,10 +77,6 @@ bool has_bath(Wall const& wall) {
   return wall.friction.bath;
 }
 
-double boltzmann_of(AnyPairLaw const& any) {
-  return std::visit([](auto const& law) { return law.boltzmann; }, any);
-}
-
 /// The exact Ornstein-Uhlenbeck step of a velocity about the wall's (Eq. (S51)). Compiled once, so that it
 /// has the same bits on one thread and on several.
 [[gnu::noinline]] GivenByWall rub(System& system, Wall const& wall, std::size_t k, double dt,
@@ -85,7 +84,7 @@ double boltzmann_of(AnyPairLaw const& any) {
   auto& particles = system.particles;
   Index const i = wall.layer.particles[k];
   auto const weights = wall_weights(system, wall, k);
-  double const m = particles.mass_of(i), thermal = boltzmann_of(system.law) * wall.friction.temperature / m;
+  double const m = particles.mass_of(i), thermal = noise_boltzmann(system) * wall.friction.temperature / m;
   Vec3 const of_wall = wall_velocity(system, wall), before = particles.p[i] / m - of_wall,
              G = gaussian_vector(source, particles.id[i], wall);
   Vec3 after = before;
@@ -142,6 +141,10 @@ void warm(System& system, Wall& wall, double dt, NoiseSource const& source) {
 
 bool has_rough_walls(System const& system) {
   return std::ranges::any_of(system.walls, [](Wall const& wall) { return wall.friction.acts; });
+}
+
+double noise_boltzmann(System const& system) {
+  return std::visit([](auto const& law) { return law.boltzmann; }, system.law);
 }
 
 Vec3 wall_velocity(System const& system, Wall const& wall) {

@@ -21,6 +21,13 @@ std::vector<double> of_walls(System const& system, F const& f) {
   return values;
 }
 
+/// Of a wall now: a piston makes the walls beside it smaller.
+double area_of(System const& system, Wall const& wall) {
+  bool const moves = std::ranges::any_of(
+      system.walls, [&](Wall const& other) { return other.axis == wall.axis && other.motion.moves(); });
+  return (moves ? system.box.volume() : system.volume()) / component(system.box.edge, wall.axis);
+}
+
 } // namespace
 
 Measurement wall_pressure() {
@@ -32,9 +39,7 @@ Measurement wall_pressure() {
           .dimension = Dimension::pressure,
           .exists = with_walls,
           .values = [](System const& system) {
-            auto const area = of_walls(system, [&](Wall const& wall) {
-              return system.box.volume() / component(system.box.edge, wall.axis);
-            });
+            auto const area = of_walls(system, [&](Wall const& wall) { return area_of(system, wall); });
             return of_walls(system, [&](Wall const& wall) {
               return (wall.upper ? -1 : 1) * wall.force / area[wall.upper];
             });

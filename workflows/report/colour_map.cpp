@@ -1,5 +1,6 @@
 #include "workflows/report/colour_map.hpp"
 #include "md/error.hpp"
+#include "workflows/report/colour_scale.hpp"
 #include "workflows/report/gnuplot.hpp"
 #include "workflows/report/plot_axes.hpp"
 #include <algorithm>
@@ -24,14 +25,13 @@ std::string script(ColourMap const& map) {
   double const dx = map.x[1] - map.x[0], dy = map.y[1] - map.y[0];
   std::string text = fmt::format(
       "set encoding utf8\nset terminal svg size {},{} dynamic enhanced font '{},{}' background "
-      "rgb 'white' name '{}'\nset palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 "
-      "'#fde725')\nunset key\nset border lw 1 lc rgb '#444444'\n"
+      "rgb 'white' name '{}'\nset palette {}\nunset key\nset border lw 1 lc rgb '#444444'\n"
       "set tics nomirror out scale 0.6 textcolor rgb '#222222'\nset title {}\nset xlabel {}\nset ylabel {}\n"
       "set cblabel {}\nset lmargin at screen 0.16\nset rmargin at screen 0.8\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\n$map << EOD\n",
-      plot_width, plot_height, plot_font, plot_font_size, map.name, escaped(map.title), escaped(map.x_label),
-      escaped(map.y_label), escaped(map.colour_label), map.x.front() - dx / 2, map.x.back() + dx / 2,
-      map.y.front() - dy / 2, map.y.back() + dy / 2);
+      plot_width, plot_height, plot_font, plot_font_size, map.name, gnuplot_scale(), escaped(map.title),
+      escaped(map.x_label), escaped(map.y_label), escaped(map.colour_label), map.x.front() - dx / 2,
+      map.x.back() + dx / 2, map.y.front() - dy / 2, map.y.back() + dy / 2);
   for (auto const& row : map.values) {
     for (double const value : row)
       text += std::isfinite(value) ? fmt::format("{:.6g} ", value) : "NaN ";

@@ -1,10 +1,12 @@
 #include "workflows/report/film_strip.hpp"
 #include "md/error.hpp"
 #include "workflows/process.hpp"
+#include "workflows/report/colour_scale.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/report/plot_axes.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/report/svg_parts.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,12 +17,6 @@ namespace {
 
 constexpr int left = 64, right_margin = 104, top = 34, bottom = 46, gap = 26, shades = 32;
 constexpr double narrowest = 40, tallest = 420; ///< heights of a frame, in pixels
-
-struct Colour {
-  int red, green, blue;
-};
-constexpr std::array<Colour, 5> stops{
-    {{0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}}};
 
 void check(FilmStrip const& strip) {
   bool fits = !strip.frames.empty();
@@ -33,12 +29,6 @@ void check(FilmStrip const& strip) {
 double share_of(FilmStrip const& strip, double value) {
   double const width = strip.value_to - strip.value_from;
   return width > 0 ? (value - strip.value_from) / width : 0.5;
-}
-
-std::string text_at(double x, double y, std::string const& anchor, std::string const& text,
-                    std::string const& more = "") {
-  return fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}' {}>{}</text>\n", x, y, anchor, more,
-                     html_escaped(text));
 }
 
 /// Where the frames are: as many columns as leave them a fair size.
@@ -78,18 +68,14 @@ std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout
   std::string svg = fmt::format("<g fill='none' stroke-linecap='round' stroke-width='{:.1f}'>\n", size);
   for (std::size_t shade = 0; shade < shades; ++shade)
     if (!dots[shade].empty())
-      svg += fmt::format("<path stroke='{}' d='{}'/>\n", film_colour((double(shade) + 0.5) / shades),
+      svg += fmt::format("<path stroke='{}' d='{}'/>\n", scale_colour((double(shade) + 0.5) / shades),
                          dots[shade]);
   return svg + "</g>\n";
 }
 
-std::string colour_bar(FilmStrip const& strip, double x, double y, double height) {
-  constexpr double width = 14;
-  std::string svg;
-  for (int k = 0; k < shades; ++k)
-    svg += fmt::format("<rect x='{:.1f}' y='{:.2f}' width='{}' height='{:.2f}' fill='{}'/>\n", x,
-                       y + height * (1 - (k + 1.0) / shades), width, height / shades + 0.3,
-                       film_colour((k + 0.5) / shades));
+std::string scale_of_values(FilmStrip const& strip, double x, double y, double height) {
+  constexpr int width = 14;
+  std::string svg = colour_bar(x, y, width, height, shades, scale_colour);
   svg += text_at(x + width + 4, y + height, "start", number_text(strip.value_from, 3));
   svg += text_at(x + width + 4, y + 11, "start", number_text(strip.value_to, 3));
   double const label = x + width + 58;
@@ -98,16 +84,6 @@ std::string colour_bar(FilmStrip const& strip, double x, double y, double height
 }
 
 } // namespace
-
-std::string film_colour(double share) {
-  double const at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  auto const k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  double const part = at - static_cast<double>(k);
-  auto const mix = [&](int Colour::*of) {
-    return std::lround(std::lerp(stops[k].*of, stops[k + 1].*of, part));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue));
-}
 
 std::string with_raised_numbers(std::string label) {
   for (auto const& [from, to] : {std::pair("^3", "³"), {"^{-21}", "⁻²¹"}, {"^2", "²"}})
@@ -147,7 +123,7 @@ std::string draw_svg(FilmStrip const& strip) {
   svg += text_at(16, at.y(0) + at.height / 2, "middle", strip.y_label,
                  fmt::format("transform='rotate(-90 16 {:.1f})'", at.y(0) + at.height / 2));
   double const all = at.bottom_edge() - at.y(0);
-  svg += colour_bar(strip, full_width - right_margin + 16, at.y(0), std::min(all, 260.0));
+  svg += scale_of_values(strip, full_width - right_margin + 16, at.y(0), std::min(all, 260.0));
   return svg + "</svg>\n";
 }
 
@@ -163,10 +139,10 @@ void draw_png(FilmStrip const& strip, std::size_t frame_number, std::string cons
     quoted_file.insert(at, "'");
   std::string script = fmt::format(
       "set encoding utf8\nset terminal pngcairo size {},{} enhanced font '{},16'\nset output '{}'\n"
-      "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\nunset key\n"
+      "set palette {}\nunset key\n"
       "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n"
       "set cbrange [{}:{}]\n$points << EOD\n",
-      width, height, plot_font, quoted_file, escaped(strip.title + ", " + frame.title),
+      width, height, plot_font, quoted_file, gnuplot_scale(), escaped(strip.title + ", " + frame.title),
       escaped(strip.x_label), escaped(strip.y_label), escaped(strip.value_label), strip.x_from, strip.x_to,
       strip.y_from, strip.y_to, strip.value_from,
       strip.value_to > strip.value_from ? strip.value_to : strip.value_from + 1);

@@ -27,9 +27,6 @@ std::string draw_svg(FilmStrip const& strip);
 /// fails.
 void draw_png(FilmStrip const& strip, std::size_t frame, std::string const& file);
 
-/// The colour of a share between 0 and 1 of the scale, "#440154" ... "#fde725"; the ends beyond.
-std::string film_colour(double share);
-
 /// A label's powers as letters: "kg/m^3" is "kg/m³".
 std::string with_raised_numbers(std::string label);
 

@@ -2,6 +2,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/report/svg_parts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -21,12 +22,6 @@ std::string colour(double part) {
                       : std::lround(middle + (2 * part - 1) * (dark - middle));
   };
   return fmt::format("#{:02x}{:02x}{:02x}", mix(255, 0, 0), mix(255, 114, 20), mix(255, 178, 46));
-}
-
-std::string text_at(double x, double y, std::string const& anchor, std::string const& text,
-                    std::string const& more = "") {
-  return fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}' {}>{}</text>\n", x, y, anchor, more,
-                     html_escaped(text));
 }
 
 } // namespace
@@ -60,12 +55,8 @@ std::string draw_svg(HeatMap const& map) {
   svg += text_at(left + wide / 2, plot_height - 10, "middle", map.x_label);
   svg += text_at(16, top_margin + high / 2, "middle", map.y_label,
                  fmt::format("transform='rotate(-90 16 {:.1f})'", top_margin + high / 2));
-  constexpr int shades = 40;
   double const scale_x = left + wide + 16;
-  for (int k = 0; k < shades; ++k)
-    svg += fmt::format("<rect x='{:.1f}' y='{:.2f}' width='{}' height='{:.2f}' fill='{}'/>\n", scale_x,
-                       top_margin + high * (1 - (k + 1.0) / shades), scale_width, high / shades + 0.3,
-                       colour((k + 0.5) / shades));
+  svg += colour_bar(scale_x, top_margin, scale_width, high, 40, colour);
   svg += text_at(scale_x + scale_width + 4, top_margin + high, "start", "0");
   svg += text_at(scale_x + scale_width + 4, top_margin + 10, "start", number_text(map.top, 2));
   svg += text_at(plot_width - 8, top_margin + high / 2, "middle", map.value_label,

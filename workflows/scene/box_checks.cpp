@@ -75,7 +75,7 @@ void check_moving(Scene const& scene, Places const& places) {
   }
   require_together(!moves || walled <= 1 || box.moving, places, "box.moving", "not given",
                    "must be the axis whose walls move, since there are several with walls");
-  bool const along = box.x == "periodic" || box.y == "periodic" || box.z == "periodic" || walled < 3;
+  bool const along = box.x == "periodic" || box.y == "periodic" || box.z == "periodic";
   require_together(
       along || !(box.slide || box.body_force), places, box.slide ? "box.slide" : "box.body_force",
       box.slide ? *box.slide : box.body_force.value_or(0), "needs an axis along which the box is periodic");

@@ -82,10 +82,10 @@ int moving_axis(Scene const& scene) {
 
 FlowAxes flow_axes(Scene const& scene) {
   auto const& box = scene.box;
-  int const along = box.flow                               ? box.flow->front() - 'x'
-                    : box.x == "periodic"                  ? 0
-                    : box.y == "walls" && box.z != "walls" ? 2
-                                                           : 1;
+  int const along = box.flow              ? box.flow->front() - 'x'
+                    : box.x == "periodic" ? 0
+                    : box.y == "periodic" ? 1
+                                          : 2;
   if (scene.features().walls)
     return {along, moving_axis(scene)};
   return {along, along == 2 ? 0 : 2};

@@ -177,7 +177,7 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
           "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
           "and Hugoniot with the same equation of state. The front that all else refers to is where the "
           "velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); Gibbs's "
-          "surface, from the mass before the piston (Eq. (S58)), is beside it."};
+          "surface, from the densities before the piston (Eq. (S58)), is beside it."};
   auto const add = [&](std::string const& name, std::string const& unit, cg::Estimate const& ours,
                        auto exact) {
     auto const quantity = si ? name + " [" + unit + "]" : name;

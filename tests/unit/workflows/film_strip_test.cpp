@@ -1,4 +1,5 @@
 #include "scratch_directory.hpp"
+#include "workflows/report/colour_scale.hpp"
 #include "workflows/report/film_strip.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
@@ -42,10 +43,11 @@ TEST(FilmStrip, ShowsThePointsOfEachFrameOnceWithTitlesAndAScale) {
 }
 
 TEST(FilmStrip, ColoursByTheScaleAndBeyondItByItsEnds) {
-  EXPECT_EQ(film_colour(-1), "#440154");
-  EXPECT_EQ(film_colour(0.5), "#21918c");
-  EXPECT_EQ(film_colour(2), "#fde725");
-  EXPECT_EQ(film_colour(0.125), "#402a70"); // half way between the first two
+  EXPECT_EQ(scale_colour(-1), "#440154");
+  EXPECT_EQ(scale_colour(0.5), "#21918c");
+  EXPECT_EQ(scale_colour(2), "#fde725");
+  EXPECT_EQ(scale_colour(0.125), "#402a70"); // half way between the first two
+  EXPECT_EQ(gnuplot_scale(), "defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')");
 }
 
 TEST(FilmStrip, PutsPointsWhereTheyAre) {

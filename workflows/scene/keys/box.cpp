@@ -79,7 +79,8 @@ std::vector<SceneKey> box_keys() {
           "of a periodic box; 0: it is the same everywhere")
           .in({.min = 0, .max = 100}),
       box("flow", &Scene::Box::flow,
-          "the axis of slide and body_force; x, or y where the walls are across x, if not given")
+          "the axis of slide and body_force, along which the box is periodic; the first such one, if not "
+          "given")
           .choices({"x", "y", "z"}),
   };
   for (auto& key : keys)
