@@ -4,11 +4,6 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// Of the noise: 0 in a fluid without any.
-double boltzmann_of(System const& system) {
-  return std::visit([](auto const& law) { return law.boltzmann; }, system.law);
-}
-
 /// The exact Ornstein-Uhlenbeck step at a frozen temperature, of the three components.
 struct RubbingStep {
   std::array<double, 3> decay{}, variance{}; ///< exp(-Gamma dt/m) - 1; of the noise
@@ -22,7 +17,7 @@ RubbingStep step_at(System const& system, Wall const& wall, std::size_t k, doubl
     bool const normal = static_cast<int>(axis) == wall.axis;
     double const decay = std::expm1(-dt / m * (normal ? weights.normal : weights.along));
     step.decay[axis] = decay;
-    step.variance[axis] = boltzmann_of(system) * T / m * -decay * (2 + decay);
+    step.variance[axis] = noise_boltzmann(system) * T / m * -decay * (2 + decay);
   }
   return step;
 }
@@ -32,7 +27,7 @@ RubbingStep step_at(System const& system, Wall const& wall, std::size_t k, doubl
 double log_acceptance(System const& system, RubbingStep const& there, RubbingStep const& back,
                       Vec3 const& before, Vec3 const& after, std::array<double, 3> const& G,
                       ThermalState const& now, ThermalState const& then) {
-  double a = (then.S - now.S) / boltzmann_of(system);
+  double a = (then.S - now.S) / noise_boltzmann(system);
   if (std::visit([](auto const& law) { return law.measure_over_T; }, system.law))
     a -= std::log(then.T / now.T);
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -57,8 +52,8 @@ std::optional<ThermalState> state_at(System const& system, Index i, double eps) 
 
 /// In (0, 1), of the particle and the wall.
 double uniform_number(NoiseSource const& source, std::uint32_t id, Wall const& wall) {
-  auto const word = Philox4x32::generate(
-      {id, wall.number, source.step_low, source.step_high_and_stream}, source.key)[0];
+  auto const word =
+      Philox4x32::generate({id, wall.number, source.step_low, source.step_high_and_stream}, source.key)[0];
   return (word + 0.5) / 4294967296.0;
 }
 
@@ -87,7 +82,7 @@ double uniform_number(NoiseSource const& source, std::uint32_t id, Wall const& w
   auto const then = state_at(system, i, particles.eps[i] + heat);
   if (!then)
     return {};
-  if (boltzmann_of(system) > 0) {
+  if (noise_boltzmann(system) > 0) {
     auto const back = step_at(system, wall, k, dt, then->T);
     double const a = log_acceptance(system, there, back, before, after, G, *now, *then);
     if (!(std::log(uniform_number(of_acceptance, particles.id[i], wall)) < a))

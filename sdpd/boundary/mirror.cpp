@@ -10,51 +10,52 @@ struct OfImage {
   double strength = 0, energy = 0;
 };
 
-/// Forces of one layer's images: along the normals of its walls, which these exert, the virial and the energy.
-struct OfLayer {
+/// What all images that one particle sees give it.
+struct OfImages {
   Vec3 force;
   double virial = 0, energy = 0;
 };
 
-/// Adds the forces by the images of a layer, law(i, j, r) each. Half of their virial and energy is the fluid's,
-/// the other half the images'. The energy comes on top of that of the layers before.
+/// Adds the forces by the images of a layer, law(i, j, r) each, and returns their sum. Half of their virial
+/// and energy is the fluid's, the other half the images'.
 template <class Law>
-OfLayer add_forces(System& system, WallLayer const& layer, double energy_before, Law const& law) {
+Vec3 add_forces(System& system, WallLayer const& layer, Law const& law, double& energy) {
   auto& particles = system.particles;
-  auto const& [near, images, candidates, renewal, position] = layer;
-  std::vector<OfLayer> of_each(near.size());
-  for_each_index(near.size(), threads_for(system, layer), [&, &near = near, &images = images](std::size_t k) {
+  auto const& near = layer.particles;
+  thread_local std::vector<OfImages> of_caller; // kept so that no step allocates
+  auto& of_each = of_caller;                    // the same for all threads of the loop below
+  of_each.resize(near.size());
+  for_each_index(near.size(), threads_for(system, layer), [&](std::size_t k) {
     Index const i = near[k];
-    auto& [sum, virial, energy] = of_each[k];
-    for (auto const& [j, r] : images[k]) {
+    OfImages one;
+    for (auto const& [j, r] : layer.images[k]) {
       auto const [strength, u] = law(i, j, r);
-      sum += strength * r, virial += 0.5 * strength * norm2(r), energy += 0.5 * u;
+      one.force += strength * r, one.virial += 0.5 * strength * norm2(r), one.energy += 0.5 * u;
     }
-    particles.f[i] += sum;
+    particles.f[i] += one.force;
+    of_each[k] = one;
   });
-  OfLayer whole{.force = {}, .virial = 0, .energy = energy_before};
+  Vec3 force;
+  double virial = 0;
   for (auto const& one : of_each)
-    whole.force += one.force, whole.virial += one.virial, whole.energy += one.energy;
-  return whole;
+    force += one.force, virial += one.virial, energy += one.energy;
+  system.virial += virial;
+  return force;
 }
 
-/// The same of all layers. An image behind several walls is pushed by each along its normal (Eq. (S56)). Returns
-/// the energy.
+/// The same of all layers. An image behind several walls is pushed by each along its normal (Eq. (S56)).
+/// Returns the energy.
 template <class Law>
 double add_forces(System& system, Law const& law) {
-  double total = 0;
-  for (auto& wall : system.walls) {
-    auto const [force, virial, energy] = add_forces(system, wall.layer, total, law);
-    wall.force = component(force, wall.axis);
-    system.virial += virial, total = energy;
-  }
+  double energy = 0;
+  for (auto& wall : system.walls)
+    wall.force = component(add_forces(system, wall.layer, law, energy), wall.axis);
   for (auto const& corner : system.corners) {
-    auto const [force, virial, energy] = add_forces(system, corner.layer, total, law);
+    Vec3 const force = add_forces(system, corner.layer, law, energy);
     for (auto const w : corner.walls)
       system.walls[w].force += component(force, system.walls[w].axis);
-    system.virial += virial, total = energy;
   }
-  return total;
+  return energy;
 }
 
 /// Calls f(layer) for what is seen behind each wall, then behind several.

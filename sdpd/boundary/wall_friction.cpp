@@ -1,4 +1,5 @@
 #include "sdpd/boundary/wall_friction.hpp"
+#include "sdpd/boundary/mirror.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -59,8 +60,10 @@ double heat_weight(Law const& law, System const& system, Wall const& wall, std::
 /// Adds up in the order of the layer what f(k) says of its k-th particle.
 template <class F>
 void give(System const& system, Wall& wall, F const& f) {
-  std::vector<GivenByWall> given(wall.layer.particles.size());
-  for_each_index(given.size(), system.threads, [&](std::size_t k) { given[k] = f(k); });
+  thread_local std::vector<GivenByWall> of_caller; // kept so that no step allocates
+  auto& given = of_caller;                         // the same for all threads of the loop below
+  given.resize(wall.layer.particles.size());
+  for_each_index(given.size(), threads_for(system, wall.layer), [&](std::size_t k) { given[k] = f(k); });
   for (auto const& [impulse, work, heat] : given)
     wall.drag += impulse, wall.work += work, wall.heat += heat;
 }
@@ -70,26 +73,25 @@ Vec3 gaussian_vector(NoiseSource const& source, std::uint32_t id, Wall const& wa
   return {x, y, z};
 }
 
-double boltzmann_of(AnyPairLaw const& any) {
-  return std::visit([](auto const& law) { return law.boltzmann; }, any);
+bool has_bath(Wall const& wall) {
+  return wall.friction.bath;
 }
 
 /// The exact Ornstein-Uhlenbeck step of a velocity about the wall's (Eq. (S51)). Compiled once, so that it
 /// has the same bits on one thread and on several.
 [[gnu::noinline]] GivenByWall rub(System& system, Wall const& wall, std::size_t k, double dt,
-                            NoiseSource const& source) {
+                                  NoiseSource const& source) {
   auto& particles = system.particles;
   Index const i = wall.layer.particles[k];
   auto const weights = wall_weights(system, wall, k);
-  double const m = particles.mass_of(i),
-               thermal = boltzmann_of(system.law) * wall.friction.temperature / m;
+  double const m = particles.mass_of(i), thermal = noise_boltzmann(system) * wall.friction.temperature / m;
   Vec3 const of_wall = wall_velocity(system, wall), before = particles.p[i] / m - of_wall,
              G = gaussian_vector(source, particles.id[i], wall);
   Vec3 after = before;
   for (int axis = 0; axis < 3; ++axis) {
     double const decay = std::expm1(-dt / m * (axis == wall.axis ? weights.normal : weights.along));
-    component(after, axis) += decay * component(before, axis) +
-                              std::sqrt(thermal * -decay * (2 + decay)) * component(G, axis);
+    component(after, axis) +=
+        decay * component(before, axis) + std::sqrt(thermal * -decay * (2 + decay)) * component(G, axis);
   }
   Vec3 const impulse = m * (after - before);
   particles.p[i] += impulse;
@@ -101,9 +103,8 @@ double take_heat(System& system, Index i, double u) {
   auto& particles = system.particles;
   auto const& caloric = particles.caloric[i];
   try {
-    double const T = caloric.in_reach(u)
-                         ? caloric.T(u)
-                         : system.thermodynamics->state(particles, i, particles.eps[i] + u).T;
+    double const T = caloric.in_reach(u) ? caloric.T(u)
+                                         : system.thermodynamics->state(particles, i, particles.eps[i] + u).T;
     if (!(T > 0))
       return 0;
     particles.eps[i] += u, particles.T[i] = T;
@@ -117,7 +118,7 @@ double take_heat(System& system, Index i, double u) {
 /// capacity (Eq. (S53)).
 template <class Law>
 [[gnu::noinline]] GivenByWall warm(System& system, Law const& law, Wall const& wall, std::size_t k, double dt,
-                             NoiseSource const& source) {
+                                   NoiseSource const& source) {
   auto const& particles = system.particles;
   Index const i = wall.layer.particles[k];
   PairTemperatures<double> const at{particles.T[i], wall.friction.temperature,
@@ -142,6 +143,10 @@ bool has_rough_walls(System const& system) {
   return std::ranges::any_of(system.walls, [](Wall const& wall) { return wall.friction.acts; });
 }
 
+double noise_boltzmann(System const& system) {
+  return std::visit([](auto const& law) { return law.boltzmann; }, system.law);
+}
+
 Vec3 wall_velocity(System const& system, Wall const& wall) {
   Vec3 velocity = system.walls_held ? Vec3{} : wall.friction.slide_at(system.wall_time);
   component(velocity, wall.axis) = system.walls_held ? 0 : wall.motion.velocity_at(system.wall_time);
@@ -162,8 +167,8 @@ WallWeights wall_weights(System const& system, Wall const& wall, std::size_t k, 
 
 SubStep wall_friction(System const& system, double dt, bool second) {
   using enum Conserved;
-  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction),
-             all_baths = std::ranges::all_of(system.walls, [](Wall const& wall) { return wall.friction.bath; });
+  bool const conducts = !std::holds_alternative<std::monostate>(system.conduction);
+  bool const all_baths = std::ranges::all_of(system.walls, has_bath);
   SubStep step{.name = "friction and heat of the walls",
                .conserves = {positions, momentum, energy},
                .noise = {wall_friction_noise.of(second)},

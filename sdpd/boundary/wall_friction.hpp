@@ -7,10 +7,13 @@ namespace mesobridge::sdpd {
 /// Whether a wall has friction.
 bool has_rough_walls(System const& system);
 
+/// Boltzmann's constant of the noise: 0 in a fluid without any.
+double noise_boltzmann(System const& system);
+
 /// Friction and noise of particles with the rough walls that they see images behind, and conduction of heat
 /// where the fluid conducts and the wall has a bath, over dt (sdpd/README.md, Eqs. (S50) ... (S53), (S57)).
-/// Impulse, work and heat are noted with each wall. `second`: of two in a step. Where walls meet, each has its
-/// own friction, and images behind several have none.
+/// Impulse, work and heat are noted with each wall. `second`: of two in a step. Where walls meet, each has
+/// its own friction, and images behind several have none.
 SubStep wall_friction(System const& system, double dt, bool second);
 
 /// Friction coefficients of a particle with a wall, along its normal and along the wall; reduced.

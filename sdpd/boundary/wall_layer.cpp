@@ -105,13 +105,18 @@ class ImageSearch {
       position_of(layer, k) = now_[k];
     layer.candidates.clear();
     auto const at_renewal = neighbours.positions_at_renewal();
-    for (Index i = 0; i < system_.size(); ++i) {
+    auto const take_if_near = [&](Index i) {
       bool near = true;
       for (std::size_t k = 0; k < walls; ++k)
         near &= walls_[k]->distance_from(now_[k], at_renewal[i]) < neighbours.reach();
       if (near)
         layer.candidates.push_back(i);
-    }
+    };
+    if constexpr (walls == 1)
+      for (Index i = 0; i < system_.size(); ++i)
+        take_if_near(i);
+    else // which that wall has looked for just now: its list is due whenever a corner's is
+      std::ranges::for_each(walls_[0]->layer.candidates, take_if_near);
   }
   double& position_of(WallLayer& layer, std::size_t k) const {
     return layer.position[static_cast<std::size_t>(walls_[k]->axis)];

@@ -21,19 +21,25 @@ std::vector<double> of_walls(System const& system, F const& f) {
   return values;
 }
 
+/// Of a wall now: a piston makes the walls beside it smaller.
+double area_of(System const& system, Wall const& wall) {
+  bool const moves = std::ranges::any_of(
+      system.walls, [&](Wall const& other) { return other.axis == wall.axis && other.motion.moves(); });
+  return (moves ? system.box.volume() : system.volume()) / component(system.box.edge, wall.axis);
+}
+
 } // namespace
 
 Measurement wall_pressure() {
   return {.name = "wall_pressure",
-          .meaning = "force per area that pushes each wall out of the fluid, without that of its motion; with "
-                     "walls across several axes a mean over the lower and one over the upper ones",
+          .meaning =
+              "force per area that pushes each wall out of the fluid, without that of its motion; with "
+              "walls across several axes a mean over the lower and one over the upper ones",
           .components = lower_and_upper,
           .dimension = Dimension::pressure,
           .exists = with_walls,
           .values = [](System const& system) {
-            auto const area = of_walls(system, [&](Wall const& wall) {
-              return system.box.volume() / component(system.box.edge, wall.axis);
-            });
+            auto const area = of_walls(system, [&](Wall const& wall) { return area_of(system, wall); });
             return of_walls(system, [&](Wall const& wall) {
               return (wall.upper ? -1 : 1) * wall.force / area[wall.upper];
             });
@@ -53,7 +59,8 @@ Measurement wall_work() {
 
 Measurement wall_drag() {
   return {.name = "wall_drag",
-          .meaning = "momentum that the friction of the lower and the upper walls has given to the fluid so far",
+          .meaning =
+              "momentum that the friction of the lower and the upper walls has given to the fluid so far",
           .components = vectors_of_both,
           .dimension = Dimension::momentum,
           .exists = with_rough_walls,

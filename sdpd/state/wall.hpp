@@ -13,10 +13,10 @@ struct WallImage {
   Vec3 r; ///< from the image to the particle that sees it
 };
 
-/// The particles that see images behind a wall, or behind two or three where they meet, and those within their
-/// range, for the positions at the last sum of the densities (with a pair potential: of the forces). Kept so
-/// that no step allocates: `images` may be longer. Those that may come so near, `candidates`, are looked for
-/// when the neighbour lists were renewed or a wall has moved by half their skin.
+/// The particles that see images behind a wall, or behind two or three where they meet, and those within
+/// their range, for the positions at the last sum of the densities (with a pair potential: of the forces).
+/// Kept so that no step allocates: `images` may be longer. Those that may come so near, `candidates`, are
+/// looked for when the neighbour lists were renewed or a wall has moved by half their skin.
 struct WallLayer {
   std::vector<std::uint32_t> particles;
   std::vector<std::vector<WallImage>> images; ///< of each of them, its own among them
@@ -44,9 +44,9 @@ struct WallFriction {
 /// each other, at the same density, pressure and temperature. Without friction it slips, and takes no heat.
 /// In reduced units.
 struct Wall {
-  int axis = 0;       ///< 0, 1, 2: its normal is x, y, z
-  bool upper = false; ///< the fluid lies below it
-  double start = 0;   ///< where it is as long as it has not moved
+  int axis = 0;             ///< 0, 1, 2: its normal is x, y, z
+  bool upper = false;       ///< the fluid lies below it
+  double start = 0;         ///< where it is as long as it has not moved
   std::uint32_t number = 0; ///< 0 and 1: the lower and the upper one; 2 ... 5: those of further axes
   WallMotion motion = {};
   WallFriction friction = {};
@@ -59,9 +59,7 @@ struct Wall {
 
   double position(double time) const { return start + motion.way_at(time); }
   /// How far a place is from it, > 0 inside the fluid.
-  double distance(Vec3 const& q, double time) const {
-    return distance_from(position(time), q);
-  }
+  double distance(Vec3 const& q, double time) const { return distance_from(position(time), q); }
   /// The same where the wall's place is known.
   double distance_from(double place, Vec3 const& q) const {
     double const x = component(q, axis) - place;

@@ -74,8 +74,8 @@ struct WallMotion {
 /// A motion by the rows of a table, whose ways are found here.
 inline WallMotion motion_by_table(std::vector<MotionRow> table) {
   for (std::size_t k = 1; k < table.size(); ++k)
-    table[k].way = table[k - 1].way + (table[k].time - table[k - 1].time) *
-                                          (table[k - 1].velocity + table[k].velocity) / 2;
+    table[k].way = table[k - 1].way +
+                   (table[k].time - table[k - 1].time) * (table[k - 1].velocity + table[k].velocity) / 2;
   return {.velocity = 0, .ramp = 0, .table = std::move(table)};
 }
 

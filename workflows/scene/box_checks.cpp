@@ -51,11 +51,11 @@ void check_flow(Scene const& scene, Places const& places) {
   }
   require_together(box.waves == 0 || (box.body_force && !walls), places, "box.waves", box.waves,
                    "must be 0 without box.body_force, and between walls");
-  require_together(!scene.features().body_force || (rough && bath) || !scene.features().energies ||
-                       scene.scheme.energy == "kept",
-                   places, "box.body_force", box.body_force.value_or(0),
-                   "heats the fluid; walls with slip = \"none\" and a bath or energy = \"kept\" take the heat "
-                   "out");
+  require_together(
+      !scene.features().body_force || (rough && bath) || !scene.features().energies ||
+          scene.scheme.energy == "kept",
+      places, "box.body_force", box.body_force.value_or(0),
+      "heats the fluid; walls with slip = \"none\" and a bath or energy = \"kept\" take the heat out");
 }
 
 int walled_axes(Scene::Box const& box) {
@@ -75,10 +75,10 @@ void check_moving(Scene const& scene, Places const& places) {
   }
   require_together(!moves || walled <= 1 || box.moving, places, "box.moving", "not given",
                    "must be the axis whose walls move, since there are several with walls");
-  bool const along = box.x == "periodic" || box.y == "periodic" || box.z == "periodic" || walled < 3;
-  require_together(along || !(box.slide || box.body_force), places, box.slide ? "box.slide" : "box.body_force",
-                   box.slide ? *box.slide : box.body_force.value_or(0),
-                   "needs an axis along which the box is periodic");
+  bool const along = box.x == "periodic" || box.y == "periodic" || box.z == "periodic";
+  require_together(
+      along || !(box.slide || box.body_force), places, box.slide ? "box.slide" : "box.body_force",
+      box.slide ? *box.slide : box.body_force.value_or(0), "needs an axis along which the box is periodic");
 }
 
 /// A piston's motion: a velocity with its ramp, or one table.
@@ -90,15 +90,15 @@ void check_piston(Scene const& scene, Places const& places) {
   auto const needed = "needs a wall to move: give box.x, box.y or box.z = \"walls\"";
   require_together(walls || !box.piston, places, "box.piston", box.piston.value_or(0), needed);
   require_together(walls || !inline_table, places, "box.piston_times", times.size(), needed);
-  require_together(walls || !box.piston_file, places, "box.piston_file", box.piston_file.value_or(""), needed);
+  require_together(walls || !box.piston_file, places, "box.piston_file", box.piston_file.value_or(""),
+                   needed);
   if (box.ramp)
     require_together(box.piston.has_value(), places, "box.ramp", *box.ramp,
                      "needs box.piston, whose start it is");
   require_together(!(inline_table && box.piston), places, "box.piston", box.piston.value_or(0),
                    "must not be given beside box.piston_times");
   require_together(!box.piston_file || (!inline_table && !box.piston), places, "box.piston_file",
-                   box.piston_file.value_or(""),
-                   "must not be given beside box.piston or box.piston_times");
+                   box.piston_file.value_or(""), "must not be given beside box.piston or box.piston_times");
   require_together(times.size() == velocities.size(), places, "box.piston_velocities", velocities.size(),
                    fmt::format("numbers; must be as many as box.piston_times has, {}", times.size()));
   for (std::size_t k = 0; k < times.size(); ++k)

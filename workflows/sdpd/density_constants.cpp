@@ -108,7 +108,8 @@ std::string calibration_identity(Scene const& scene) {
   calibrated.particles.calibration_steps = calibration_steps(scene);
   calibrated.run = {
       .seed = scene.run.seed, .thermostat = scene.run.thermostat, .bath_rate = scene.run.bath_rate};
-  calibrated.profile = {}, calibrated.histogram = {}, calibrated.output = {};
+  calibrated.profile = {}, calibrated.histogram = {}, calibrated.series = {}, calibrated.film = {};
+  calibrated.output = {};
   return sha256(fmt::format("{}\n{}{}", resolved_toml(calibrated), git_commit(), input_hashes(scene)));
 }
 

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/disk_estimate.hpp"
 #include "workflows/scene/quantities.hpp"
+#include "workflows/sdpd/film_series.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/run_file.hpp"
 #include "workflows/store/store.hpp"
@@ -57,6 +58,15 @@ double growing(double rows, double row_numbers) {
   return std::ceil(rows / chunk) * chunk * row_numbers * number;
 }
 
+/// In the slab of a film, at the mean density.
+double particles_in_film(Scene const& scene) {
+  auto const settings = settings_of(scene, 1);
+  auto const view = film_view(scene, settings);
+  double const edge = component(sdpd::box_of(settings).edge, view.along);
+  return static_cast<double>(particles_of(scene)) * (std::min(view.upper, edge) - std::max(view.lower, 0.0)) /
+         edge;
+}
+
 double results(Scene const& scene, Particle const& of) {
   double const instants = rows(scene, instants_every(scene.run)),
                stored = static_cast<double>(
@@ -78,10 +88,8 @@ double results(Scene const& scene, Particle const& of) {
              static_cast<double>(
                  chosen(scene.histogram.quantities, histogram_quantities(), scene.features()).size()) *
                  (growing(histograms, bins) + 2 * growing(histograms, 1) + bins * number);
-  if (double const frames = rows(scene, film_every(scene)); frames > 0) { // a slab as thick as a particle
-    double const N = static_cast<double>(particles_of(scene)), points = std::pow(N, 2.0 / 3);
-    bytes += 3 * growing(frames, 1) + 3 * growing(frames * points, 1);
-  }
+  if (double const frames = rows(scene, film_every(scene)); frames > 0)
+    bytes += 3 * growing(frames, 1) + 3 * growing(frames * particles_in_film(scene), 1);
   double const measured = rows(scene, scene.series.every);
   if (measured > 0)
     bytes += 2 * growing(measured, 1);

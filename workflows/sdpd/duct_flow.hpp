@@ -7,7 +7,7 @@ namespace mesobridge::workflows {
 struct Duct {
   double a, b;
 
-  /// The velocity at z from the wall, 0 ... a, in the mean over b.
+  /// The velocity at z from the wall, 0 ... a, in the mean over b, to 1e-5 of itself.
   double velocity(double z) const;
   /// That of a place, y from the wall along b.
   double velocity(double z, double y) const;

@@ -120,8 +120,7 @@ std::optional<Section> film_section(Store const& store, Scene const& scene,
   double const thickness = (view.upper - view.lower) * units.length * length.factor;
   std::string const caption =
       fmt::format("Particles of a slab of the thickness {}{} in the middle of the box, seen along {}{}. The "
-                  "colours span from "
-                  "the 2nd to the 98th percentile of all frames' particles.",
+                  "colours span from the 2nd to the 98th percentile of all frames' particles.",
                   number_text(thickness, 3), units.length_key.empty() ? "" : " nm", "xyz"[view.along],
                   thinned ? "; every few particles one is drawn" : "");
   return Section{"Film", {Figure{{draw_svg(*strip)}, caption}}};

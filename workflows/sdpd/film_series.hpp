@@ -13,8 +13,9 @@ struct FilmView {
 };
 FilmView film_view(Scene const& scene, sdpd::SimulationSettings const& settings);
 
-/// The film of a run, under `film` of its file: `step` and the time of each frame, `end`, the number of points
-/// up to its end, and of each point its place to the right and up and its quantity, named with their units
+/// The film of a run, under `film` of its file: `step` and the time of each frame, `end`, the number of
+/// points up to its end, and of each point its place to the right and up and its quantity, named with their
+/// units
 /// (`z_m`, `x_m`, `T_K`). A resumed run repeats its steps: frames that the file holds already are skipped.
 class FilmSeries {
  public:

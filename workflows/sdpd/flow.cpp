@@ -17,9 +17,7 @@ struct Frames {
   std::vector<double> time, position;
   std::vector<double> velocity, number; ///< row after row
   double at(std::size_t frame, std::size_t slice) const { return velocity[frame * position.size() + slice]; }
-  double count(std::size_t frame, std::size_t slice) const {
-    return number[frame * position.size() + slice];
-  }
+  double count(std::size_t frame, std::size_t slice) const { return number[frame * position.size() + slice]; }
 };
 
 Frames frames_of(Store const& store, OutputUnits const& units, int along) {
@@ -115,8 +113,12 @@ class FlowSearch {
   std::optional<FlowOfRun> find(FlowKind kind) {
     if (frames_.time.size() < least_frames || !(edge_ > 2.5 * range_))
       return std::nullopt;
-    FlowOfRun flow{.kind = kind, .viscosity = {}, .slip_length = {}, .position = frames_.position,
-                   .velocity = {}, .exact = {}};
+    FlowOfRun flow{.kind = kind,
+                   .viscosity = {},
+                   .slip_length = {},
+                   .position = frames_.position,
+                   .velocity = {},
+                   .exact = {}};
     switch (kind) {
     case FlowKind::couette:
       couette(flow);
@@ -148,14 +150,15 @@ class FlowSearch {
   /// What comes after the start of the flow, which a sliding wall's slope in the middle hardly shows, but the
   /// velocity there does.
   void settle(FlowOfRun& flow, Fits const& fits) {
-    first_ = std::max({cg::detect_equilibration(fits.slope).start, cg::detect_equilibration(fits.offset).start,
-                       frames_.time.size() / 10});
+    first_ = std::max({cg::detect_equilibration(fits.slope).start,
+                       cg::detect_equilibration(fits.offset).start, frames_.time.size() / 10});
     flow.from = frames_.time[first_];
   }
 
   void couette(FlowOfRun& flow) {
     double const slide = *scene_.box.slide;
-    auto const fits = fit(frames_, [&](double z) { return middle(z); }, inside());
+    auto const fits = fit(
+        frames_, [&](double z) { return middle(z); }, inside());
     settle(flow, fits);
     auto const slope = cg::estimate_mean(from(fits.slope, first_));
     double const area = box_.volume() * std::pow(units_.length, 3) / edge_;
@@ -164,13 +167,15 @@ class FlowSearch {
     if (stress)
       flow.viscosity = ratio(*stress, slope);
     double const reach = slide / slope.mean;
-    flow.slip_length = cg::Estimate{(reach - edge_) / 2, std::abs(reach / 2 * slope.se / slope.mean), slope.n_eff};
+    flow.slip_length =
+        cg::Estimate{(reach - edge_) / 2, std::abs(reach / 2 * slope.se / slope.mean), slope.n_eff};
     for (double const z : frames_.position)
       flow.exact.push_back(slide * z / edge_);
   }
 
   void poiseuille(FlowOfRun& flow) {
-    auto const fits = fit(frames_, [&](double z) { return middle(z) * middle(z); }, inside());
+    auto const fits = fit(
+        frames_, [&](double z) { return middle(z) * middle(z); }, inside());
     settle(flow, fits);
     auto const curvature = cg::estimate_mean(from(fits.slope, first_));
     double const force = scene_.fluid.rho * *scene_.box.body_force;
@@ -187,7 +192,8 @@ class FlowSearch {
   /// The profile is a mean over the duct's other width.
   void duct(FlowOfRun& flow) {
     Duct const of{edge_, component(box_.edge, 3 - axes_.along - axes_.across) * units_.length};
-    auto const fits = fit(frames_, [&](double z) { return of.velocity(z); }, inside());
+    auto const fits = fit(
+        frames_, [&](double z) { return of.velocity(z); }, inside());
     settle(flow, fits);
     auto const slope = cg::estimate_mean(from(fits.slope, first_)),
                offset = cg::estimate_mean(from(fits.offset, first_));
@@ -203,8 +209,8 @@ class FlowSearch {
     double const k = 2 * std::numbers::pi * static_cast<double>(scene_.box.waves) / edge_,
                  half = k * edge_ / static_cast<double>(2 * frames_.position.size()),
                  in_slice = std::sin(half) / half; // what is left of a cosine in the mean over a slice
-    auto const fits =
-        fit(frames_, [&](double z) { return in_slice * std::cos(k * z); }, [](double) { return true; });
+    auto const fits = fit(
+        frames_, [&](double z) { return in_slice * std::cos(k * z); }, [](double) { return true; });
     settle(flow, fits);
     auto const amplitude = cg::estimate_mean(from(fits.slope, first_));
     double const force = scene_.fluid.rho * *scene_.box.body_force;
@@ -245,7 +251,8 @@ std::optional<FlowOfRun> flow_of(Store const& store, Scene const& scene,
   OutputUnits const units(settings.units(), scene.units);
   auto const kind = kind_of(scene);
   bool const across = scene.profile.axis[0] - 'x' == axes_of(scene).across;
-  if (!kind || !across || scene.profile.every == 0 || !store.contains("profile/velocity" + units.velocity_key))
+  if (!kind || !across || scene.profile.every == 0 ||
+      !store.contains("profile/velocity" + units.velocity_key))
     return std::nullopt;
   return FlowSearch(store, scene, settings).find(*kind);
 }

@@ -24,7 +24,8 @@ struct FlowOfRun {
   std::vector<double> position;            ///< of the slices
   std::vector<cg::Estimate> velocity;      ///< along the flow
   std::vector<double> exact;               ///< of a fluid of that viscosity that does not slip
-  bool sees_stress = true; ///< false: of Couette's flow, without wall_drag in the series, only the slip is known
+  bool sees_stress =
+      true; ///< false: of Couette's flow, without wall_drag in the series, only the slip is known
 };
 
 /// Nothing where no slide or body force drives a flow, where both do, where there is no profile of the

@@ -12,7 +12,8 @@ std::string with_unit(std::string const& quantity, std::string const& unit, bool
 
 Plot velocities(FlowOfRun const& flow, RunResult const& run) {
   OutputUnits const units(run.settings.units(), run.scene.units);
-  auto const x = axis_of(run.scene.profile.axis + units.length_key), y = axis_of("velocity" + units.velocity_key);
+  auto const x = axis_of(run.scene.profile.axis + units.length_key),
+             y = axis_of("velocity" + units.velocity_key);
   Plot plot{.name = "flow", .title = "Velocity along the flow", .x = {.label = x.label}, .panels = {Panel{}}};
   auto const at = scaled(flow.position, x.factor);
   Series measured{.label = "measured", .x = at, .y = {}, .y_error = {}};
@@ -35,19 +36,22 @@ Section flow_section(FlowOfRun const& flow, RunResult const& run) {
   auto const mean_field = sdpd::mean_field_viscosity(run.settings);
   Table table{.header = comparison_header(),
               .rows = {},
-              .caption = "The steady flow, beside the viscosity that friction and motion have in a fluid without "
-                         "structure (sdpd/README.md, Eq. (S55)); stiff fluids of large particles have more."};
+              .caption =
+                  "The steady flow, beside the viscosity that friction and motion have in a fluid without "
+                  "structure (sdpd/README.md, Eq. (S55)); stiff fluids of large particles have more."};
   if (flow.sees_stress)
-    table.rows.push_back(comparison_row(with_unit("viscosity", "Pa s", si), flow.viscosity, mean_field.sum()));
+    table.rows.push_back(
+        comparison_row(with_unit("viscosity", "Pa s", si), flow.viscosity, mean_field.sum()));
   if (run.settings.features().densities)
     table.rows.push_back(
         {with_unit("viscosity asked for", "Pa s", si), number_text(run.scene.transport.eta, 4), "", "", ""});
   if (flow.slip_length)
     table.rows.push_back(
         {with_unit("slip length", "m", si), with_error_text(*flow.slip_length), "0", "", ""});
-  Figure figure{{draw_svg(velocities(flow, run))},
-                "Means over the steady part of the run with their standard errors; line: the exact profile of a "
-                "fluid of the measured viscosity (of Couette's flow: of any) that does not slip."};
+  Figure figure{
+      {draw_svg(velocities(flow, run))},
+      "Means over the steady part of the run with their standard errors; line: the exact profile of a "
+      "fluid of the measured viscosity (of Couette's flow: of any) that does not slip."};
   return {"Flow", {std::move(table), std::move(figure)}};
 }
 

@@ -86,7 +86,15 @@ std::int64_t past_instants_every(Values const& stored) {
   return instants_every(past);
 }
 
-/// What the run found itself, and the interval of the instants.
+std::int64_t past_film_every(Values const& stored) {
+  Scene past;
+  past.run.steps = steps_of(stored, "run.steps");
+  past.film.quantity = text(stored, "film.quantity");
+  past.film.every = steps_of(stored, "film.every");
+  return film_every(past);
+}
+
+/// What the run found itself, and the intervals of the instants and of the film.
 Scene with_findings(Scene scene, Values const& stored) {
   if (scene.scheme.dt.automatic) {
     Scene past;
@@ -100,6 +108,9 @@ Scene with_findings(Scene scene, Values const& stored) {
   }
   if (scene.run.instant_every == 0 && instants_every(scene.run) != past_instants_every(stored))
     scene.run.instant_every = past_instants_every(stored);
+  if (auto const past = past_film_every(stored);
+      past > 0 && scene.film.every == 0 && film_every(scene) != past)
+    scene.film.every = past;
   return scene;
 }
 

@@ -13,8 +13,8 @@ struct PastRun {
 PastRun past_run(StoredCheckpoint stored);
 
 /// The scene that a run goes on with: that of today with what the run found itself, its time step and the
-/// constants of its densities, and with the interval of its instants where the scene leaves it open, for it
-/// follows from the steps. May differ from the stored one in the number of steps, in titles and folders, in
+/// constants of its densities, and with the intervals of its instants and of its film where the scene leaves
+/// them open, for they follow from the steps. May differ from the stored one in the number of steps, in titles and folders, in
 /// what is written besides samples and instants and how often, and in the schedule of checkpoints. Anything
 /// else is refused: InputError that names each key with both values, or the input file whose content has
 /// changed. `place` names the stored scene in messages.

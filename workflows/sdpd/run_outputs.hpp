@@ -11,8 +11,8 @@
 
 namespace mesobridge::workflows {
 
-/// All that a run writes on its way: samples, instants, series, profiles, histograms, film and frames, each on its
-/// own schedule of sampled steps.
+/// All that a run writes on its way: samples, instants, series, profiles, histograms, film and frames, each
+/// on its own schedule of sampled steps.
 class RunOutputs {
  public:
   /// Creates the files in the folder or, when the run is resumed, goes on with what it wrote `before`. Throws

@@ -84,8 +84,8 @@ FlowAxes flow_axes(Scene const& scene) {
   auto const& box = scene.box;
   int const along = box.flow              ? box.flow->front() - 'x'
                     : box.x == "periodic" ? 0
-                    : box.y == "walls" && box.z != "walls" ? 2
-                                                           : 1;
+                    : box.y == "periodic" ? 1
+                                          : 2;
   if (scene.features().walls)
     return {along, moving_axis(scene)};
   return {along, along == 2 ? 0 : 2};
@@ -133,7 +133,7 @@ sdpd::Faces faces_of(Scene const& scene, sdpd::SimulationSettings const& setting
     of_piston.motion = {*box.piston, box.ramp ? *box.ramp : usual_ramp(settings, *box.piston), {}};
   else
     of_piston.motion = piston_table(scene);
-  double const friction = box.slip != "none" ? 1
+  double const friction = box.slip != "none"  ? 1
                           : box.wall_friction ? *box.wall_friction
                                               : sdpd::usual_wall_friction(settings);
   if (box.slip == "none")

@@ -22,7 +22,8 @@ sdpd::Scheme scheme_of(Scene const& scene);
 /// The axis across which the moving walls are, or the first with walls; 2 where there are none.
 int moving_axis(Scene const& scene);
 
-/// Along which axis a flow goes, and across which it varies: that of the walls, or of a body force's waves.
+/// Along which axis a flow goes, the first periodic one where the scene does not say, and across which it
+/// varies: that of the walls, or of a body force's waves.
 struct FlowAxes {
   int along, across; ///< 0, 1, 2
 };

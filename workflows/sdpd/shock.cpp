@@ -97,7 +97,8 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
                                    sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
   bool const along = scene.profile.axis[0] - 'x' == moving_axis(scene);
-  double const v_P = settings.faces[static_cast<std::size_t>(moving_axis(scene))][0].motion.driving_velocity();
+  double const v_P =
+      settings.faces[static_cast<std::size_t>(moving_axis(scene))][0].motion.driving_velocity();
   if (!(v_P > 0) || !along || scene.profile.every == 0)
     return std::nullopt;
   for (auto const& name :
@@ -169,13 +170,14 @@ Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
 
 Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
   bool const si = !units.length_key.empty();
-  Table table{.header = comparison_header(),
-              .rows = {},
-              .caption =
-                  "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
-                  "and Hugoniot with the same equation of state. The front that all else refers to is where the "
-                  "velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); Gibbs's "
-                  "surface, from the mass before the piston (Eq. (S58)), is beside it."};
+  Table table{
+      .header = comparison_header(),
+      .rows = {},
+      .caption =
+          "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
+          "and Hugoniot with the same equation of state. The front that all else refers to is where the "
+          "velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); Gibbs's "
+          "surface, from the densities before the piston (Eq. (S58)), is beside it."};
   auto const add = [&](std::string const& name, std::string const& unit, cg::Estimate const& ours,
                        auto exact) {
     auto const quantity = si ? name + " [" + unit + "]" : name;

@@ -50,8 +50,11 @@ TEST(SteadyShock, HasTheVelocityAndTheStateOfTheFront) {
   auto const shock = steady_shock(moving_front(80), scale());
   ASSERT_TRUE(shock);
   EXPECT_GT(shock->times.size(), 30u);
-  for (auto const& [found, exact] :
-       {std::pair(shock->v_S, v_S), {shock->v_S_gibbs, v_S}, {shock->rho, 1.75}, {shock->P, 23.0}, {shock->T, 2.0}}) {
+  for (auto const& [found, exact] : {std::pair(shock->v_S, v_S),
+                                     {shock->v_S_gibbs, v_S},
+                                     {shock->rho, 1.75},
+                                     {shock->P, 23.0},
+                                     {shock->T, 2.0}}) {
     EXPECT_GT(found.se, 0);
     EXPECT_LT(found.se, 0.02 * exact);
     EXPECT_LT(std::abs(cg::deviation(found, exact)), 6); // an error of six blocks is known to 30 %
@@ -59,7 +62,8 @@ TEST(SteadyShock, HasTheVelocityAndTheStateOfTheFront) {
   }
 }
 
-// What the start has left before the piston moves with it, and shifts Gibbs's surface by as much in all frames.
+// What the start has left before the piston moves with it, and shifts Gibbs's surface by as much in all
+// frames.
 TEST(SteadyShock, HasTheVelocityOfGibbssSurfaceWhateverIsAtThePiston) {
   auto frames = moving_front(80);
   for (auto& frame : frames)

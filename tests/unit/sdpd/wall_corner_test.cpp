@@ -1,10 +1,9 @@
+#include "moved_energy.hpp"
 #include "pair_fluid_fixtures.hpp"
 #include "same_bits.hpp"
-#include "sdpd/conservative/refresh.hpp"
 #include "sdpd/make_system.hpp"
+#include "sdpd/observe/list.hpp"
 #include "sdpd/simulation.hpp"
-#include "sdpd/system/system.hpp"
-#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
 #include <gtest/gtest.h>
 
@@ -55,18 +54,6 @@ int walls_near(System const& system, Vec3 const& q, double share) {
   for (auto const& wall : system.walls)
     near += wall.distance(q, 0) < share * system.neighbours.range();
   return near;
-}
-
-double energy_with(System& system, std::size_t i, Vec3 const& by) {
-  auto const before = system.particles.q[i];
-  system.particles.q[i] += by;
-  refresh_by(system, [](System& s) {
-    Failure failure;
-    if (s.has_densities())
-      s.thermodynamics->from_entropy(s.particles, {0, s.size()}, failure);
-  });
-  system.particles.q[i] = before;
-  return total_energy(system);
 }
 
 TEST_P(EveryEnclosedFluid, HasForcesInItsCornersThatAreTheSlopeOfItsEnergy) {
@@ -185,6 +172,24 @@ TEST_P(EveryEnclosedFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
       values.insert(values.end(), {wall.impulse, wall.work, wall.heat, wall.drag.x});
     return values;
   });
+}
+
+// A piston that has come half the box's way leaves the walls beside it half their area.
+TEST(EnclosedFluids, FeelTheirPressureOnTheAreaThatThePistonLeaves) {
+  auto settings = closed(ideal_gas(50, 0.02), {0, 2});
+  settings.faces[2][0].motion.velocity = settings.units().velocity();
+  auto const system = make_system(settings);
+  auto const all = measurements();
+  auto const pressure = std::ranges::find(all, "wall_pressure", &Measurement::name);
+  ASSERT_NE(pressure, all.end());
+  auto const edge = system->box.edge;
+  for (double const way : {0.0, 0.5 * edge.z}) {
+    system->wall_time = way;
+    double const of_both = edge.y * (edge.z - way) + edge.x * edge.y;
+    auto const& walls = system->walls; // lower and upper across x, then z
+    EXPECT_NEAR(pressure->values(*system)[0] * of_both / (walls[0].force + walls[2].force), 1, 1e-12);
+    EXPECT_NEAR(pressure->values(*system)[1] * of_both / (walls[1].force + walls[3].force), -1, 1e-12);
+  }
 }
 
 // Two walls that meet must not give one particle the same kicks.

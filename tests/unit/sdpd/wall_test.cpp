@@ -1,15 +1,12 @@
 #include "cg/estimate.hpp"
+#include "moved_energy.hpp"
 #include "pair_fluid_fixtures.hpp"
 #include "same_bits.hpp"
-#include "sdpd/conservative/refresh.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/observe/virials.hpp"
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/simulation.hpp"
-#include "sdpd/system/system.hpp"
-#include "sdpd/system/total_energy.hpp"
 #include "sdpd_fixtures.hpp"
-#include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -39,21 +36,6 @@ std::vector<Case> fluids() {
 class EveryWalledFluid : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Fluids, EveryWalledFluid, ::testing::ValuesIn(fluids()),
                          [](auto const& info) { return info.param.name; });
-
-/// Conservative energy of the system with particle i moved.
-double energy_with(System& system, std::size_t i, Vec3 const& by) {
-  auto const before = system.particles.q[i];
-  system.particles.q[i] += by;
-  if (system.has_densities())
-    refresh_by(system, [](System& s) {
-      Failure failure;
-      s.thermodynamics->from_entropy(s.particles, {0, s.size()}, failure);
-    });
-  else
-    refresh_by(system, [](System&) {});
-  system.particles.q[i] = before;
-  return total_energy(system);
-}
 
 // The forces of the images, too, are those of an energy.
 TEST_P(EveryWalledFluid, HasForcesThatAreTheSlopeOfItsEnergy) {
@@ -213,7 +195,9 @@ TEST(Walls, ThatCannotBeAreRefused) {
   };
   EXPECT_NO_THROW(check(between_walls(ideal_gas(50, 0.02), 0)));
   refused([](Faces& faces) { faces[2][0] = {}; });
-  refused([](Faces& faces) { faces[0] = faces[2], faces[0][0].motion.velocity = faces[2][1].motion.velocity = 1; });
+  refused([](Faces& faces) {
+    faces[0] = faces[2], faces[0][0].motion.velocity = faces[2][1].motion.velocity = 1;
+  });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0.1, 1}, {1, 2}}); });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0, 1}, {1, 2}, {1, 3}}); });
   refused([](Faces& faces) { faces[2][0].motion = motion_by_table({{0, std::nan("")}}); });

@@ -32,10 +32,8 @@ std::vector<SceneKey> box_keys() {
           .quantity(Dimension::velocity, any_number),
       box("ramp", &Scene::Box::ramp,
           "time in which the piston comes to its velocity, or it overheats the fluid before it for ever; too "
-          "long, and "
-          "there is no shock at first. Best are some 8 mean distances between particles over the velocity of "
-          "the shock, "
-          "which is the default for sdpd; 0 for dpde and dpd")
+          "long, and there is no shock at first. Best are some 8 mean distances between particles over the "
+          "velocity of the shock, which is the default for sdpd; 0 for dpde and dpd")
           .quantity(Dimension::time, not_negative),
       box("piston_times", &Scene::Box::piston_times,
           "a table in place of piston and ramp: from 0 on, rising, counted from the end of the equilibration")
@@ -52,8 +50,7 @@ std::vector<SceneKey> box_keys() {
           .choices({"x", "y", "z"}),
       box("slip", &Scene::Box::slip,
           "\"none\": walls with the friction of the fluid, and the noise of their temperature; \"free\": "
-          "mirrors "
-          "alone, which take no heat")
+          "mirrors alone, which take no heat")
           .choices({"free", "none"}),
       box("wall_temperature", &Scene::Box::wall_temperature,
           "of walls with slip = \"none\"; that of the fluid, if not given")
@@ -64,13 +61,11 @@ std::vector<SceneKey> box_keys() {
           .choices({"bath", "none"}),
       box("wall_friction", &Scene::Box::wall_friction,
           "factor of the friction with walls of slip = \"none\"; if not given, one that makes up for what "
-          "moving "
-          "particles carry: 1 for viscous fluids, more where they fly far")
+          "moving particles carry: 1 for viscous fluids, more where they fly far")
           .in(positive),
       box("slide", &Scene::Box::slide,
           "velocity of the upper wall along the flow, with slip = \"none\", after the equilibration: "
-          "Couette's "
-          "flow")
+          "Couette's flow")
           .quantity(Dimension::velocity, any_number),
       box("slide_ramp", &Scene::Box::slide_ramp,
           "time in which the sliding wall comes to its velocity; at once, if not given")
@@ -81,11 +76,11 @@ std::vector<SceneKey> box_keys() {
           .quantity(Dimension::acceleration, any_number),
       box("waves", &Scene::Box::waves,
           "of the body force, which goes as a cosine along z (along x if the flow is along z), in the length "
-          "of "
-          "a periodic box; 0: it is the same everywhere")
+          "of a periodic box; 0: it is the same everywhere")
           .in({.min = 0, .max = 100}),
       box("flow", &Scene::Box::flow,
-          "the axis of slide and body_force; x, or y where the walls are across x, if not given")
+          "the axis of slide and body_force, along which the box is periodic; the first such one, if not "
+          "given")
           .choices({"x", "y", "z"}),
   };
   for (auto& key : keys)

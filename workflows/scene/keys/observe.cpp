@@ -79,15 +79,17 @@ std::vector<SceneKey> observe_keys() {
           .choices(names_of(series_quantities()))
           .written_if(asks_for_series),
       film("quantity", &Scene::Film::quantity,
-           "a film of the particles of a slab, coloured by T, eps (not dpd), rho, P (sdpd) or a component of their "
-           "velocity: under `film` of run.h5, as a strip in the report, and as pictures (run --frames). If not "
-           "given, there is none")
+           "a film of the particles of a slab, coloured by T, eps (not dpd), rho, P (sdpd), progress "
+           "(reactions) or a component of their velocity: under `film` of run.h5, as a strip in the report, "
+           "and as pictures (run --frames). "
+           "If not given, there is none")
           .choices(names_of(film_quantities()))
           .written_if(asks_for_film),
       film("every", &Scene::Film::every, "steps between its frames; 0: a fifth of run.steps, which makes six")
           .in(not_negative)
           .written_if(asks_for_film),
-      film("axis", &Scene::Film::axis, "along which one looks; if not given, along the shorter edge of x and y")
+      film("axis", &Scene::Film::axis,
+           "along which one looks; if not given, along the shortest edge of the box")
           .choices({"x", "y", "z"})
           .written_if(asks_for_film),
       film("thickness", &Scene::Film::thickness,
