@@ -2,7 +2,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "md/error.hpp"
 #include "sdpd/setup/balance.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -92,10 +92,10 @@ double rounded_down(double dt) {
   return std::floor(dt / unit + 1e-9) * unit;
 }
 
-/// The next time step after one that failed or kept less than was wished for: the error goes as its square.
-double next_dt(sdpd::BalanceResult const& trial, double wished) {
+/// The next time step after one that failed or missed more than it may: the error goes as its square.
+double next_dt(sdpd::BalanceResult const& trial, double tolerance) {
   double const factor =
-      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
+      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(tolerance / trial.run_share), 0.25, 0.8);
   return rounded_down(trial.dt * factor);
 }
 
@@ -104,7 +104,7 @@ class Search {
  public:
   Search(Scene const& scene, double largest, StudyOptions const& options)
       : scene_(scene), options_(options), largest_(rounded_down(largest)),
-        wished_(wished_balance(scene.scheme).value()),
+        tolerance_(balance_tolerance(scene.scheme).value()),
         velocity_(fastest_wave(scene, settings_with(scene, largest_, 1))) {}
 
   BalancedTimeStep find() {
@@ -112,13 +112,13 @@ class Search {
     double dt = largest_;
     for (int k = 0; k < most_trials && dt >= deepest * largest_; ++k) {
       last = trial(dt, k);
-      if (!last.failed() && last.run_share <= wished_)
+      if (!last.failed() && last.run_share <= tolerance_)
         return {dt, last.run_share, k == 0};
-      dt = next_dt(last, wished_);
+      dt = next_dt(last, tolerance_);
     }
     throw PhysicsError(fmt::format(
-        "scheme.dt = \"auto\": no time step of {} to {} balances the energy within {}; at {} {}; wish for "
-        "less, or take another scheme or integrator",
+        "scheme.dt = \"auto\": no time step of {} to {} balances the energy within {}; at {} {}; allow "
+        "more, or take another scheme or integrator",
         last.dt, largest_, *scene_.scheme.drift, last.dt,
         last.failed() ? fmt::format("a trial fails: {}", last.failure)
                       : fmt::format("a trial lets expect {:.2g} %", 100 * last.run_share)));
@@ -154,7 +154,7 @@ class Search {
 
   Scene const& scene_;
   StudyOptions const& options_;
-  double largest_, wished_, velocity_;
+  double largest_, tolerance_, velocity_;
   std::optional<sdpd::Checkpoint> start_;
 };
 
@@ -171,7 +171,7 @@ BalancedTimeStep find_balanced_time_step(Scene const& scene, double largest, Stu
 }
 
 double work_of_balance_trials(Scene const& scene) {
-  if (!wished_balance(scene.scheme))
+  if (!balance_tolerance(scene.scheme))
     return 0;
   constexpr double usual_trials = 3;
   double const dt = largest_driven_dt(scene);

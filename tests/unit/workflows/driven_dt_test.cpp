@@ -4,7 +4,7 @@
 #include "sdpd/setup/balance.hpp"
 #include "sdpd/setup/trial.hpp"
 #include "workflows/reproduce/exact_cases.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/study/automatic_dt.hpp"
@@ -16,7 +16,7 @@ namespace mesobridge::workflows {
 namespace {
 
 /// A piston's scene with dt = "auto".
-std::string piston_text(std::string const& eos, double v_P, std::string const& wish,
+std::string piston_text(std::string const& eos, double v_P, std::string const& drift,
                         std::string const& more = "") {
   return fmt::format(R"(title = "a piston"
 units = "SI"
@@ -44,7 +44,7 @@ equilibrate = 50
 steps = 56
 sample_every = 1
 )",
-                     eos, eos == "ideal-gas" ? "m0 = \"1e-25 kg\"" : "", v_P, wish, more);
+                     eos, eos == "ideal-gas" ? "m0 = \"1e-25 kg\"" : "", v_P, drift, more);
 }
 
 /// The same with a time step that is given.
@@ -80,10 +80,10 @@ double share_of_run(Scene const& scene) {
   return found.share;
 }
 
-TEST(DrivenTimeStep, IsAWishThatOnlySomethingDrivenCanHave) {
+TEST(DrivenTimeStep, IsForABalanceThatOnlySomethingDrivenHas) {
   auto const good = piston_text("argon", 500, "1 %");
-  EXPECT_EQ(wished_balance(scene_of(good).scheme), 0.01);
-  EXPECT_EQ(wished_balance(scene_of(piston_text("argon", 500, "1e-6/ps")).scheme), std::nullopt);
+  EXPECT_EQ(balance_tolerance(scene_of(good).scheme), 0.01);
+  EXPECT_EQ(balance_tolerance(scene_of(piston_text("argon", 500, "1e-6/ps")).scheme), std::nullopt);
   EXPECT_NE(error_of(good, {"scheme.energy=kept"}).find("balances at any time step"), std::string::npos);
   EXPECT_NE(error_of(piston_text("argon", 500, "-1 %")).find("share > 0"), std::string::npos);
   EXPECT_NE(error_of(at_rest(good)).find("for scenes that something drives"), std::string::npos);
@@ -140,7 +140,7 @@ TEST(DrivenTimeStep, GoesOnWhereItWasStopped) {
   EXPECT_EQ(again, whole.scene);
 }
 
-TEST(DrivenTimeStep, SaysThatNoneKeepsTheWish) {
+TEST(DrivenTimeStep, SaysThatNoneKeepsTheTolerance) {
   auto const scene = scene_of(piston_text("ideal-gas", 3000, "0.0000001 %"));
   auto const error = tests::error_text<PhysicsError>([&] { choose_time_step(scene, {}); });
   EXPECT_NE(error.find("no time step of"), std::string::npos) << error;
