@@ -1,5 +1,6 @@
 #include "md/metal_crystal.hpp"
 #include "md/metal_piston.hpp"
+#include "piston_slices.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -22,19 +23,9 @@ MetalPistonSettings small_settings() {
 }
 
 std::vector<PistonSlices> run(MetalPistonSettings const& settings, std::int64_t steps) {
-  MpiWorld const world;
-  std::vector<PistonSlices> all;
-  EXPECT_TRUE(sample_metal_piston(
-      world, settings, steps, {.slices = [&](auto const& slices) { return all.push_back(slices), true; }}));
-  std::filesystem::remove(settings.log_file);
-  return all;
-}
-
-double mean(PistonSlices const& now, std::vector<double> const& values, int first, int last) {
-  double sum = 0, n = 0;
-  for (auto s = std::size_t(first); s < std::size_t(last); ++s)
-    sum += now.number[s] * values[s], n += now.number[s];
-  return sum / n;
+  return slices_of(settings.log_file, [&](PistonConsumers const& consumers) {
+    return sample_metal_piston(MpiWorld(), settings, steps, consumers);
+  });
 }
 
 /// The jump conditions bind what the slices say: mass and momentum go through the front, at P_0 about 0.
