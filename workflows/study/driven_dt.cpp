@@ -36,17 +36,39 @@ double largest_component(std::vector<double> const& v) {
   return found;
 }
 
+/// The velocities that the piston has at its fastest, into the fluid and away from it, >= 0.
+std::pair<double, double> fastest_piston(sdpd::SimulationSettings const& settings) {
+  double in = 0, out = 0;
+  for (auto const& [lower, upper] : settings.faces) {
+    in = std::max(in, lower.motion.velocity), out = std::max(out, -lower.motion.velocity);
+    for (auto const& row : lower.motion.table)
+      in = std::max(in, row.velocity), out = std::max(out, -row.velocity);
+  }
+  return {in, out};
+}
+
+/// The velocity of the shock that a piston makes that keeps this velocity; 0 where there is none, or no
+/// equation of state that could tell.
+double shock_velocity(sdpd::SimulationSettings const& settings, double v_P) {
+  if (auto const shock = shock_before_piston(settings)) // which knows what a reaction does
+    return shock->v_S;
+  try {
+    auto const shock = v_P > 0 ? piston_shock(settings, v_P) : std::nullopt;
+    return shock ? shock->v_S : 0;
+  } catch (PhysicsError const&) {
+    return 0;
+  }
+}
+
 /// The fastest motion that the scene names, and the shock that it makes where the equation of state tells it;
 /// at least the thermal velocity. Reduced.
 double fastest_motion(Scene const& scene, sdpd::SimulationSettings const& settings) {
   auto const units = settings.units();
-  double named = std::max(std::abs(scene.box.piston.value_or(0)), std::abs(scene.box.slide.value_or(0)));
+  auto const [in, out] = fastest_piston(settings);
+  double named = std::max({in, out, std::abs(scene.box.slide.value_or(0)), shock_velocity(settings, in)});
   for (auto const& region : scene.regions)
     named = std::max(named, largest_component(region.velocity));
-  double velocity = std::max(1 / std::sqrt(units.K), named / units.velocity());
-  if (auto const shock = shock_before_piston(settings))
-    velocity = std::max(velocity, shock->v_S / units.velocity());
-  return velocity;
+  return std::max(1 / std::sqrt(units.K), named / units.velocity());
 }
 
 /// The faster of that and the sound in the fluid at rest.
