@@ -115,8 +115,7 @@ int LjPistonSettings::slices() const {
 }
 
 std::int64_t LjPistonSettings::steps(double v_S) const {
-  constexpr double end_zone = 8; // in spacings
-  return std::int64_t((length() - end_zone * spacing()) / (v_S * dt));
+  return steps_to_far_end(length(), spacing(), v_S, dt);
 }
 
 std::string LjPistonSettings::description() const {

@@ -15,6 +15,11 @@ constexpr std::array<std::pair<char const*, char const*>, 5> sums{{{"number", "v
 
 } // namespace
 
+std::int64_t steps_to_far_end(double length, double spacing, double v_S, double dt) {
+  constexpr double end_zone = 8; // in spacings
+  return std::int64_t((length - end_zone * spacing) / (v_S * dt));
+}
+
 bool PistonDrive::settle(std::int64_t steps) {
   lammps_.command("run 0 post no");
   constexpr std::int64_t piece = 50;

@@ -34,6 +34,10 @@ struct PistonUnits {
   double mass = 1, energy_of_mv2 = 1, pressure_of_energy = 1, boltzmann = 1;
 };
 
+/// Steps of dt until a front of the velocity v_S has come from the piston to 8 spacings before the far end of
+/// a box of that length, all in one set of units.
+std::int64_t steps_to_far_end(double length, double spacing, double v_S, double dt);
+
 /// Atoms at rest that are given a piston: walls in place of the periodicity along z, and the slices. All
 /// ranks of the world call it together; the consumers of rank 0 are asked.
 class PistonDrive {

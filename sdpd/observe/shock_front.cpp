@@ -8,25 +8,38 @@ namespace {
 constexpr double start_zone = 40, far_zone = 10, piston_zone = 15, front_zone = 12; // in spacings
 constexpr double part_width = 5; ///< in spacings: as wide as the usual kernels
 
+/// A slice of the plateau behind the front.
+struct PlateauSlice {
+  std::size_t slice;
+  double depth; ///< from the plateau's beginning before the piston, in spacings
+};
+
+/// None where the slices are so wide that the plateau holds no centre of one.
+std::vector<PlateauSlice> plateau_of(ShockFrame const& frame, ShockScale const& scale, double front) {
+  std::vector<PlateauSlice> slices;
+  for (std::size_t s = 0; s < scale.position.size(); ++s) {
+    double const depth = (scale.position[s] - frame.piston) / scale.spacing - piston_zone;
+    if (depth > 0 && scale.position[s] < front - front_zone * scale.spacing)
+      slices.push_back({s, depth});
+  }
+  return slices;
+}
+
 /// A quantity behind the front: the means over the plateau of each frame, and sums over the frames for parts
 /// of the matter in it, which move on with the piston.
 class Plateau {
  public:
   /// One frame's values over its slices.
-  void add(std::vector<double> const& values, ShockFrame const& frame, ShockScale const& scale,
-           double front) {
-    double sum = 0, count = 0;
-    for (std::size_t s = 0; s < values.size(); ++s) {
-      double const depth = (scale.position[s] - frame.piston) / scale.spacing - piston_zone;
-      if (!(depth > 0 && scale.position[s] < front - front_zone * scale.spacing))
-        continue;
-      sum += values[s], ++count;
+  void add(std::vector<double> const& values, std::vector<PlateauSlice> const& slices) {
+    double sum = 0;
+    for (auto const& [s, depth] : slices) {
+      sum += values[s];
       auto const part = static_cast<std::size_t>(depth / part_width);
       if (parts_.size() <= part)
         parts_.resize(part + 1);
       parts_[part].sum += values[s], ++parts_[part].count;
     }
-    means_.push_back(sum / count);
+    means_.push_back(sum / static_cast<double>(slices.size()));
   }
 
   /// Of the frames.
@@ -119,12 +132,13 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
     if (!front || *front < frames[k].piston + start_zone * scale.spacing ||
         *front > scale.position.back() - far_zone * scale.spacing)
       continue;
-    if (shock.times.empty())
-      shock.first = k;
-    shock.times.push_back(frames[k].time), shock.fronts.push_back(*front);
+    auto const plateau = plateau_of(frames[k], scale, *front);
+    if (plateau.empty())
+      continue;
+    shock.frames.push_back(k), shock.times.push_back(frames[k].time), shock.fronts.push_back(*front);
     masses.add(frames[k], scale, *front);
     for (auto const& [to, from] : {std::pair(&rho, &frames[k].rho), {&P, &frames[k].P}, {&T, &frames[k].T}})
-      to->add(*from, frames[k], scale, *front);
+      to->add(*from, plateau);
   }
   if (shock.times.size() < least_frames)
     return std::nullopt;

@@ -25,8 +25,8 @@ std::optional<double> front_position(ShockFrame const& frame, ShockScale const& 
 /// A steady shock: the velocity of its front and the state behind it, each with its standard error.
 struct SteadyShock {
   cg::Estimate v_S, rho, P, T;
-  std::vector<double> times, fronts; ///< of the frames that were taken
-  std::size_t first = 0;             ///< the first of them
+  std::vector<std::size_t> frames;   ///< that were taken: their places in the list
+  std::vector<double> times, fronts; ///< of these
   cg::Estimate v_S_gibbs;            ///< of Gibbs's surface in place of the half-height crossing
 };
 
@@ -37,7 +37,7 @@ struct SteadyShock {
 /// (S58)), whose states ahead and behind are those of the same frames. Neighbouring frames see the same
 /// matter, so that their errors come from six blocks of frames, and those of the state from these or, where
 /// they are larger, from the differences between parts of the matter behind the front, 5 spacings each, that
-/// moves on with the piston. Nothing for fewer than 12 such frames.
+/// moves on with the piston. Frames whose plateau holds no slice are left out; nothing for fewer than 12.
 std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, ShockScale const& scale);
 
 } // namespace mesobridge::sdpd

@@ -50,7 +50,7 @@ Result check(Options const& options, Context const& context) {
   Scene const scene = load_run(options.scene, options.overrides, threads);
   auto const cost = estimate_cost(scene, threads);
   auto const disk = estimate_disk(scene);
-  auto const settings = settings_of(scene, threads);
+  auto const settings = settings_for_check(scene, threads);
   auto warnings = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
   for (auto const& doubt : doubts_about(scene, settings))
     warnings.push_back(doubt.text);

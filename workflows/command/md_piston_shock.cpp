@@ -174,7 +174,7 @@ Result piston_shock(Options const& options, Context const& context) {
   auto const [job, ahead] = plan_of(options, context); // before any rank starts: bad input is told once
   std::optional<HugoniotReference> reference;
   if (options.hugoniot)
-    reference = read_hugoniot_reference(*options.hugoniot, ahead.rho0, ahead.v_P);
+    reference = read_hugoniot_reference(*options.hugoniot, {ahead.rho0, ahead.T0}, ahead.v_P);
   keep_earlier_results(context, options.started_by_ourselves, job.directory,
                        {job.file(), job.directory / "lammps.log", job.directory / "summary.json",
                         job.directory / "report.html"});
@@ -229,8 +229,8 @@ void declare(CLI::App& app, Options& options) {
       ->type_name("REAL");
   app.add_option("--vp", options.v_P, "Velocity of the piston [m/s] (default: 500; in a metal 1500)")
       ->type_name("REAL");
-  app.add_option("--cells-across", options.cells_across, "Cells of 4 atoms along x and y")->type_name("INT");
-  app.add_option("--cells-along", options.cells_along, "Cells of 4 atoms along z")->type_name("INT");
+  app.add_option("--cells-across", options.cells_across, "Cubic cells along x and y")->type_name("INT");
+  app.add_option("--cells-along", options.cells_along, "Cubic cells along z")->type_name("INT");
   app.add_option("--cutoff", options.cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");
   app.add_option("--steps", options.steps,
                  "Steps while the piston moves; if not given, until the front is near the far end")

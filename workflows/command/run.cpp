@@ -82,8 +82,13 @@ RunResult run_in(RunFolder const& folder, Scene scene, Options const& options, C
   if (!claimed.message.empty())
     context.log->info(claimed.message);
   auto past = claimed.goes_on ? past_of(folder, scene, context) : std::nullopt;
-  if (scene.scheme.dt.automatic)
+  if (scene.scheme.dt.automatic) {
     scene = with_time_step(scene, folder, context, limit);
+    for (auto const& doubt :
+         doubts_about(scene, settings_of(scene, 1))) // what a given dt has shown in `check`
+      if (doubt.name == "reflection")
+        context.log->warn("warning: {}", doubt.text);
+  }
   auto progress = context.progress(scene.title, static_cast<double>(scene.run.equilibrate + scene.run.steps));
   auto done = run_scene(scene, {.directory = folder.path(),
                                 .threads = threads_of(context),

@@ -66,7 +66,7 @@ Target target_of(Options const& options, Scene const& scene) {
   Target target;
   if (options.drift)
     require(scene.features().energies, "--drift", *options.drift,
-            "the thermostat of DPD keeps no energy that could drift; wish for a --bias");
+            "the thermostat of DPD keeps no energy that could drift; give a --bias");
   double const time = settings_of(scene, 1).units().time();
   read("--drift", options.drift,
        [&] { target.drift = parse_target(options.drift, {}, scene.units, time).drift; });

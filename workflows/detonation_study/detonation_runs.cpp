@@ -130,7 +130,7 @@ std::vector<DetonationRow> run_detonations(std::string const& title, std::vector
   for (auto const& one : cases)
     runs.push_back({one.name, detonation_scene(one)});
   return run_study<DetonationRow>(
-      title, runs, options, context,
+      title, runs, {.directory = options.directory, .threads = options.threads}, context,
       [&](std::size_t k, RunResult const& run, Store const& store) { return row_of(cases[k], run, store); },
       [&](std::size_t k, std::string const& why) {
         auto row = start_of(cases[k], runs[k].scene);

@@ -21,8 +21,8 @@ std::vector<Row> rows_of(std::filesystem::path const& file) {
       row[table.header.cells[c]] = csv_number(table, line, c);
     rows.push_back(std::move(row));
   }
-  for (auto const* column :
-       {"rho0_kg_m3", "v_P_m_s", "v_S_m_s", "v_S_se_m_s", "rho_kg_m3", "P_Pa", "P_se_Pa", "T_K", "T_se_K"})
+  for (auto const* column : {"rho0_kg_m3", "T0_K", "v_P_m_s", "v_P_se_m_s", "v_S_m_s", "v_S_se_m_s",
+                             "rho_kg_m3", "P_Pa", "P_se_Pa", "T_K", "T_se_K"})
     require(
         rows.front().contains(column), "--hugoniot", file.string(),
         fmt::format("must be a table that `md hugoniot` wrote (hugoniot.csv): it has no column {}", column));
@@ -47,33 +47,44 @@ std::vector<Quantity> quantities(HugoniotReference const& reference, ShockOfRun 
           {"T", "K", "T_K", 1, m.T, reference.T}};
 }
 
+/// That the curve begins in the state ahead of the piston.
+void require_same(std::filesystem::path const& file, std::string const& quantity, std::string const& unit,
+                  std::string const& option, double ahead, double initial) {
+  constexpr double same = 0.005;
+  require(std::abs(initial / ahead - 1) <= same, "--hugoniot", file.string(),
+          fmt::format("must begin at the {} of the piston's run, {:g} {}, and begins at {:g}: give both the "
+                      "same {}",
+                      quantity, ahead, unit, initial, option));
+}
+
 std::string text(cg::Estimate const& value, double factor) {
   return with_error_text({value.mean * factor, value.se * factor, value.n_eff});
 }
 
 } // namespace
 
-HugoniotReference read_hugoniot_reference(std::filesystem::path const& file, double rho0, double v_P) {
+HugoniotReference read_hugoniot_reference(std::filesystem::path const& file, md::MetalState const& ahead,
+                                          double v_P) {
   auto const rows = rows_of(file);
   auto const upper = std::ranges::find_if(rows, [&](Row const& row) { return row.at("v_P_m_s") >= v_P; });
   require(rows.size() > 1 && upper != rows.begin() && upper != rows.end(), "--hugoniot", file.string(),
           fmt::format("must have points on both sides of --vp = {:g} m/s; it has {:g} ... {:g}", v_P,
                       rows.front().at("v_P_m_s"), rows.back().at("v_P_m_s")));
-  constexpr double same = 0.005;
-  double const initial = upper->at("rho0_kg_m3");
-  require(std::abs(initial / rho0 - 1) <= same, "--hugoniot", file.string(),
-          fmt::format("must begin at the density of the piston's run, {:g} kg/m^3, and begins at {:g}: give "
-                      "both the same --rho0",
-                      rho0, initial));
   auto const& lower = *(upper - 1);
+  for (auto const* row : {&lower, &*upper}) {
+    require_same(file, "density", "kg/m^3", "--rho0", ahead.rho, row->at("rho0_kg_m3"));
+    require_same(file, "temperature", "K", "--T0", ahead.T, row->at("T0_K"));
+  }
   double const part = (v_P - lower.at("v_P_m_s")) / (upper->at("v_P_m_s") - lower.at("v_P_m_s"));
   auto const between = [&](std::string const& mean, std::string const& se) {
-    auto const error = [&](Row const& row) { return se.empty() ? 0 : row.at(se); };
     return cg::Estimate{(1 - part) * lower.at(mean) + part * upper->at(mean),
-                        std::hypot((1 - part) * error(lower), part * error(*upper)), 1};
+                        std::hypot((1 - part) * lower.at(se), part * upper->at(se)), 1};
   };
+  auto rho = between("rho_kg_m3", "v_P_se_m_s"); // points are at set densities: the error is that of v_P
+  rho.se *= std::abs((upper->at("rho_kg_m3") - lower.at("rho_kg_m3")) /
+                     (upper->at("v_P_m_s") - lower.at("v_P_m_s")));
   return {.v_S = between("v_S_m_s", "v_S_se_m_s"),
-          .rho = between("rho_kg_m3", ""),
+          .rho = rho,
           .P = between("P_Pa", "P_se_Pa"),
           .T = between("T_K", "T_se_K")};
 }

@@ -123,13 +123,10 @@ Reproduced reproduce(std::string const& title, bool with_ssa, ReproduceOptions c
       .title = title,
       .lead =
           "The thesis's ideal gas (1150 kg/m^3, 1000 K, eta = 2e-3 Pa s) in particles of K = 5 before a "
-          "piston at "
-          "1661 m/s, dt = 0.045, with the thesis's plain densities and with densities calibrated at rest and "
-          "behind the front. Its walls "
-          "are layers "
-          "of fixed particles, ours mirrors. The 8244 K that it prints for Rankine and Hugoniot do not "
-          "follow from its own pressure "
-          "and density, which give 8140 K.",
+          "piston at 1661 m/s, dt = 0.045, with the thesis's plain densities and with densities calibrated "
+          "at rest and behind the front. Its walls are layers of fixed particles, ours mirrors. The 8244 K "
+          "that it prints for Rankine and Hugoniot do not follow from its own pressure and density, which "
+          "give 8140 K.",
       .verdicts = shock_verdicts(judged, exact.front().shock, goal, "densities calibrated behind the front"),
       .sections =
           {{"States behind the front",
@@ -144,7 +141,8 @@ Reproduced reproduce(std::string const& title, bool with_ssa, ReproduceOptions c
                  "not the densities that the particles themselves have, nor the means of their own "
                  "pressures, which the table shows (sdpd/README.md, Eq. (S70) ... (S72)). Constants that "
                  "were found in the state behind the front (particles.density = \"calibrated-shocked\") "
-                 "make these right there, and are a little too small at rest."}}},
+                 "make these right there, and leave the particles' densities about 2 % too small at rest "
+                 "(S71)."}}},
            {"Figure 4.10",
             {Figure{{draw_svg(front_plot("front", "Density in the frame of the front", shown(finished),
                                          profile, exact.front().shock, rows.front().spacing))},

@@ -10,7 +10,7 @@
 #include "workflows/scene/quantities.hpp"
 #include "workflows/scene/reaction_checks.hpp"
 #include "workflows/scene/region_checks.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include <algorithm>
 #include <tuple>
 
@@ -104,18 +104,18 @@ void check_balance(Scene const& scene, Places const& places) {
   auto const& drift = *scene.scheme.drift;
   require_together(is_driven(scene), places, "scheme.drift", drift,
                    "a share of the energy that is turned over, is for scenes that something drives: regions, "
-                   "a piston, walls that slide, open faces or a body force; wish for a rate, such as "
+                   "a reaction, a piston, walls that slide, open faces or a body force; give a rate, such as "
                    "\"1e-6/ps\", or a bias");
   require_together(scene.scheme.energy == "free", places, "scheme.drift", drift,
                    "wants energy = \"free\": with \"kept\" the energy balances at any time step");
 }
 
-void check_wish(Scene const& scene, Places const& places) {
+void check_tolerance(Scene const& scene, Places const& places) {
   auto const& scheme = scene.scheme;
   auto check = [&](char const* key, std::optional<std::string> const& text, auto const& parse) {
     if (!text)
       return;
-    require_together(scheme.dt.automatic, places, key, *text, "wants dt = \"auto\", which it is a wish for");
+    require_together(scheme.dt.automatic, places, key, *text, "wants dt = \"auto\", whose error it bounds");
     try {
       parse(*text);
     } catch (InputError const& error) {
@@ -123,18 +123,19 @@ void check_wish(Scene const& scene, Places const& places) {
     }
   };
   check("scheme.drift", scheme.drift, [&](std::string const& text) {
-    wished_balance(scheme) ? parse_share(text) : parse_rate(text, scene.units);
+    balance_tolerance(scheme) ? parse_share(text) : parse_rate(text, scene.units);
   });
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
   if (scheme.drift)
     require_together(
         scene.features().energies, places, "scheme.drift", *scheme.drift,
-        "must not be given: the thermostat of dpd keeps no energy that could drift; wish for a bias");
-  if (wished_balance(scheme))
+        "must not be given: the thermostat of dpd keeps no energy that could drift; give a bias");
+  if (balance_tolerance(scheme))
     check_balance(scene, places);
-  require_together(!scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
-                   "needs a wish: scheme.drift, such as \"1e-6/ps\" or, in scenes that something drives, "
-                   "\"1%\", or scheme.bias, such as \"0.5%\"");
+  require_together(
+      !scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
+      "needs a tolerance: scheme.drift, such as \"1e-6/ps\" or, in scenes that something drives, "
+      "\"1%\", or scheme.bias, such as \"0.5%\"");
 }
 
 } // namespace
@@ -242,7 +243,7 @@ void check_together(Scene const& scene, Places const& places) {
   check_regions(scene, places);
   sdpd::for_method(scene.method.name, [&](auto type) { check_keys(type, scene, places); });
   check_scheme(scene, places);
-  check_wish(scene, places);
+  check_tolerance(scene, places);
   check_schedules(scene, places);
   constexpr std::int64_t least_instants = 16; // what an estimate of errors needs
   require_together(

@@ -21,7 +21,9 @@ std::string read_noise(toml::table& scene, toml::table& scheme, Places& places) 
   if (method != expected) {
     if (!scene.contains("method"))
       scene.insert("method", toml::table{});
-    scene["method"].as_table()->insert_or_assign("name", expected);
+    if (auto* const table =
+            scene["method"].as_table()) // else it is refused like any value in a table's place
+      table->insert_or_assign("name", expected);
   }
   return places.of(path) + ": " + path + " = \"" + value +
          "\": " + (value == "on" ? "need not be said any more" : "is method.name = \"sph\" now");

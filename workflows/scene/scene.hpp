@@ -153,8 +153,8 @@ struct Scene {
     std::string conservative = "verlet";
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
-    std::optional<std::string> drift, bias;   ///< wishes for an automatic time step
-    std::optional<std::string> dt_chosen_for; ///< the wish that a chosen time step fulfils
+    std::optional<std::string> drift, bias;   ///< tolerances for an automatic time step
+    std::optional<std::string> dt_chosen_for; ///< the tolerance that a chosen time step keeps
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {

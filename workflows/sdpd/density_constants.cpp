@@ -60,8 +60,7 @@ sdpd::SimulationSettings at(CalibratedState const& state, sdpd::SimulationSettin
 std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
   auto const& density = scene.particles.density;
   if (density.starts_with("calibrated"))
-    return density == "calibrated-response" ? sdpd::ScaleCondition::response
-                                            : sdpd::ScaleCondition::pressure;
+    return density == "calibrated-response" ? sdpd::ScaleCondition::response : sdpd::ScaleCondition::pressure;
   if (density != "auto" || !scene.noise() ||
       !sdpd::conservative_integrator(scene.scheme.conservative).moves())
     return std::nullopt;

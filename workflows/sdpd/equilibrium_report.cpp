@@ -36,6 +36,10 @@ void add_energies(Table& table, RunResult const& run, OutputUnits const& units) 
       {with_unit("drift of the energy, relative", si ? "1/ps" : "1/time"),
        with_error_text(scaled({e.drift.rate, e.drift.se, 8}, 1 / (units.time * (si ? 1e12 : 1)))), "0", "",
        ""});
+  if (run.summary.contains("energy_balance_error"))
+    table.rows.push_back({"energy that is missing, of what was turned over [%]",
+                          number_text(100 * run.summary["energy_balance_error"].get<double>(), 2), "0", "",
+                          ""});
 }
 
 /// Means over the run beside what the settings say of them; what has no such value stands alone.

@@ -38,6 +38,26 @@ std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const
   return std::nullopt;
 }
 
+std::optional<double> steps_to_far_wall(sdpd::SimulationSettings const& settings) {
+  if (settings.layout || settings.features().reacts)
+    return std::nullopt;
+  auto const units = settings.units();
+  auto const edge = sdpd::box_of(settings).edge;
+  for (int axis = 0; axis < 3; ++axis) {
+    auto const& [lower, upper] = settings.faces[static_cast<std::size_t>(axis)];
+    double const v_P = lower.motion.driving_velocity();
+    if (!(v_P > 0) || upper.kind != sdpd::FaceKind::wall)
+      continue;
+    auto const shock = shock_before_piston(settings);
+    if (!shock)
+      return std::nullopt;
+    double const started = lower.motion.table.empty() ? lower.motion.ramp : lower.motion.table.back().time,
+                 lag = started - lower.motion.way_at(started) / v_P;
+    return (component(edge, axis) * units.length() / shock->v_S + lag) / units.time() / settings.dt;
+  }
+  return std::nullopt;
+}
+
 double front_reynolds_number(sdpd::SimulationSettings const& settings, fitting::Shock const& shock) {
   auto const& fluid = settings.as<sdpd::Sdpd>();
   return shock.ahead.rho * shock.v_S * settings.spacing() * settings.units().length() /

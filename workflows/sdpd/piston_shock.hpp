@@ -15,6 +15,11 @@ std::optional<fitting::Shock> piston_shock(sdpd::SimulationSettings const& setti
 /// no piston moves into the fluid, and where the models have no such shock.
 std::optional<fitting::Shock> shock_before_piston(sdpd::SimulationSettings const& settings);
 
+/// Steps of the settings' dt until the front of that shock, which lags behind one that began at full velocity
+/// by the piston's start, comes to the wall at the far end. Nothing where there is no such wall, for regions,
+/// whose fluids differ, and for fluids that react, whose front becomes faster at a time that nobody knows.
+std::optional<double> steps_to_far_wall(sdpd::SimulationSettings const& settings);
+
 /// Re_l = rho_0 v_S l/(4 eta/3 + zeta) of a shock in SDPD with the settings, whose viscosity is not zero; l
 /// is the mean distance between particles. Above smooth_front the state behind the front ripples
 /// (sdpd/README.md, Eq. (S43)).

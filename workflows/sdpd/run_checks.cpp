@@ -19,14 +19,6 @@ void check_steps(Scene::Run const& run) {
                       least_samples, double(least_samples) * double(run.sample_every)));
 }
 
-/// An automatic time step stands as the largest that it may become, which makes the widest skin.
-sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
-  auto settings = settings_of(scene, threads);
-  if (scene.scheme.dt.automatic)
-    settings.dt = largest_tried_dt(scene);
-  return settings;
-}
-
 /// Positions of size one that are stored as doubles do not notice shorter steps.
 void check_time_step(sdpd::SimulationSettings const& settings) {
   constexpr double shortest = 1e-12;
@@ -69,6 +61,13 @@ void check_state(Scene const& scene) {
 }
 
 } // namespace
+
+sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
+  auto settings = settings_of(scene, threads);
+  if (scene.scheme.dt.automatic)
+    settings.dt = largest_tried_dt(scene);
+  return settings;
+}
 
 void check_run(Scene const& scene, int threads) {
   check_steps(scene.run);

@@ -3,6 +3,10 @@
 
 namespace mesobridge::workflows {
 
+/// The settings of the scene; an automatic time step stands as the largest that it may become, which makes
+/// the widest skin.
+sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads);
+
 /// All for which a run of the scene is refused before its first step: models and tables, the number of
 /// samples, the box against the reach of the interaction, and what the study of a time step and a calibration
 /// want. It takes the same short time for any number of particles. Throws InputError that names the key;

@@ -124,16 +124,21 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
   store_.flush();
 }
 
-std::optional<cg::Estimate> RunFile::mean(std::string const& column) const {
+std::vector<double> RunFile::column(std::string const& name) const {
   auto const all = columns({}, 0);
-  auto const found = std::ranges::find(all, column, &Column::name);
+  auto const found = std::ranges::find(all, name, &Column::name);
   if (found == all.end())
-    return std::nullopt;
+    return {};
   auto const rows = store_.read_doubles("thermodynamics");
   std::vector<double> values;
   for (auto r = static_cast<std::size_t>(found - all.begin()); r < rows.size(); r += all.size())
     values.push_back(rows[r]);
-  return cg::estimate_mean(values);
+  return values;
+}
+
+std::optional<cg::Estimate> RunFile::mean(std::string const& column_name) const {
+  auto const values = column(column_name);
+  return values.empty() ? std::nullopt : std::optional(cg::estimate_mean(values));
 }
 
 sdpd::EquilibriumSampler RunFile::replay() const {

@@ -39,8 +39,10 @@ class RunFile {
   /// none.
   std::vector<double> particle_values(std::string const& name) const;
 
-  /// The mean of one column of `thermodynamics`, in the scene's units; nothing if there is no such column.
-  std::optional<cg::Estimate> mean(std::string const& column) const;
+  /// One column of `thermodynamics`, in the scene's units; empty if there is no such column.
+  std::vector<double> column(std::string const& name) const;
+  /// Its mean; nothing if there is no such column.
+  std::optional<cg::Estimate> mean(std::string const& column_name) const;
 
   /// What is in the file now is safe, whatever happens to the program. Throws EnvironmentError.
   void mark() { store_.mark(); }

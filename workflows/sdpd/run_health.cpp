@@ -35,6 +35,20 @@ std::optional<sdpd::Finding> ripples(sdpd::SimulationSettings const& settings) {
           Re, smooth_front, 0.75 * viscosity)};
 }
 
+/// Says so where the shock comes to the far wall within the run.
+std::optional<sdpd::Finding> reflection(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  auto const steps = steps_to_far_wall(settings);
+  if (!steps || *steps >= static_cast<double>(scene.run.steps))
+    return std::nullopt;
+  return sdpd::Finding{
+      "reflection", false,
+      fmt::format("the shock before the piston comes to the far wall after about {:.0f} of run.steps = {} "
+                  "steps of {:.3g} (reduced){}, and turns back there: take fewer steps or a longer box if "
+                  "that is not wanted",
+                  *steps, scene.run.steps, settings.dt,
+                  scene.scheme.dt.automatic ? ", the largest that dt = \"auto\" may choose" : "")};
+}
+
 } // namespace
 
 namespace {
@@ -72,8 +86,9 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
              "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
              "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
              neighbours, settings.rho)});
-  if (auto const doubt = ripples(settings))
-    doubts.push_back(*doubt);
+  for (auto const& doubt : {ripples(settings), reflection(scene, settings)})
+    if (doubt)
+      doubts.push_back(*doubt);
   return doubts;
 }
 

@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "sdpd/setup/balance.hpp"
 #include "workflows/sdpd/flow.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/detonation.hpp"
@@ -25,6 +26,24 @@ void put_measured(Json& json, RunFile const& file, Scene const& scene, OutputUni
       throw std::logic_error("a measurement has the name of another result: " + key);
     put(json, key, one.mean());
   }
+}
+
+/// The energy that a driven run misses, over what it has turned over, by all its samples (sdpd/README.md, Eq.
+/// (S73)).
+double balance_error(RunFile const& file, OutputUnits const& units) {
+  auto const of = [&](std::string const& name) { return file.column(name + units.energy_key); };
+  auto const balanced = of("energy"), internal = of("internal_energy"); // balanced: less what is given
+  std::vector<double> total(balanced.size());
+  for (char const* part : {"kinetic_energy", "internal_energy", "potential_energy", "chemical_energy"})
+    for (std::size_t k = 0; double const value : of(part))
+      total[k++] += value;
+  sdpd::BalanceSeries series;
+  for (std::size_t k = 0; k < balanced.size(); ++k) {
+    series.errors.push_back(balanced[k] - balanced[0]);
+    series.given.push_back((total[k] - balanced[k]) - (total[0] - balanced[0]));
+    series.exchanged.push_back(internal[k] - internal[0]);
+  }
+  return sdpd::error_share(series);
 }
 
 } // namespace
@@ -68,6 +87,8 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put(json, "energy_drift_per_reduced_time", cg::Estimate{e.drift.rate, e.drift.se, 8});
     put(json, "energy_drift_per" + (units.time_key.empty() ? "_time" : units.time_key),
         cg::Estimate{e.drift.rate / units.time, e.drift.se / units.time, 8});
+    if (is_driven(scene))
+      json["energy_balance_error"] = balance_error(file, units);
   }
   for (std::string const energy : {"kinetic_energy", "potential_energy"})
     if (auto const mean = file.mean(energy + units.energy_key); mean && !features.densities)

@@ -91,6 +91,13 @@ std::string run_text(RunResult const& result) {
     constexpr double ps = 1e-12;
     text += line("drift", {e.drift.rate, e.drift.se, 8}, (si ? ps : 1) / units.time, si ? "/ps" : "",
                  "of the total energy, relative");
+    if (driven) {
+      auto const share = result.summary["energy_balance_error"].get<double>();
+      auto const& chosen_for = scene.scheme.dt_chosen_for;
+      text += fmt::format("{:<7} {} %  (of the energy that was turned over is missing{})\n", "balance",
+                          number_text(100 * share, 2),
+                          chosen_for ? "; the time step was chosen for " + *chosen_for : "");
+    }
   }
   return text + shock_text(result.summary, units, si) + detonation_text(result.summary, units, si) +
          flow_text(result.summary, units, si);

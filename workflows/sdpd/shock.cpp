@@ -52,7 +52,7 @@ void average_in_frame(ShockOfRun& shock, std::vector<sdpd::ShockFrame> const& fr
   for (double depth = -60 * spacing; depth <= 20 * spacing; depth += width) {
     std::array<std::vector<double>, 3> seen;
     for (std::size_t k = 0; k < shock.measured.times.size(); ++k) {
-      auto const& frame = frames[shock.measured.first + k];
+      auto const& frame = frames[shock.measured.frames[k]];
       double const at = shock.measured.fronts[k] + depth;
       if (at < frame.piston + 15 * spacing)
         continue;
@@ -119,7 +119,7 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
 }
 
 void put_shock(Json& json, ShockOfRun const& shock, OutputUnits const& units) {
-  auto const& [v_S, rho, P, T, times, fronts, first, v_S_gibbs] = shock.measured;
+  auto const& [v_S, rho, P, T, frames, times, fronts, v_S_gibbs] = shock.measured;
   put(json, "shock_v_S" + units.velocity_key, v_S);
   put(json, "shock_v_S_gibbs" + units.velocity_key, v_S_gibbs);
   put(json, "plateau_rho" + units.density_key, rho);

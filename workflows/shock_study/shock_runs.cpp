@@ -96,7 +96,7 @@ std::vector<ShockRow> run_shocks(std::string const& title, std::vector<ShockCase
   for (auto const& one : cases)
     runs.push_back({one.name, one.scene});
   auto rows = run_study<ShockRow>(
-      title, runs, options, context,
+      title, runs, {.directory = options.directory, .threads = options.threads}, context,
       [&](std::size_t k, RunResult const& run, Store const& store) { return row_of(cases[k], run, store); },
       [&](std::size_t k, std::string const& why) { return failed(cases[k], why); });
   for (std::size_t k = 0; k < rows.size(); ++k)

@@ -1,6 +1,6 @@
 #include "workflows/study/automatic_dt.hpp"
 #include "md/error.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/study/driven_dt.hpp"
 #include "workflows/study/target.hpp"
@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 namespace {
 
 Scene with_time_step(Scene scene, TimeStep const& dt) {
-  scene.scheme.dt_chosen_for = wish_text(scene.scheme);
+  scene.scheme.dt_chosen_for = tolerance_text(scene.scheme);
   scene.scheme.drift = scene.scheme.bias = std::nullopt;
   scene.scheme.dt = dt;
   return scene;
@@ -24,9 +24,9 @@ Scene trial_of(Scene const& scene) {
   return trial;
 }
 
-/// Whether something is wished of the fluid at rest.
+/// Whether a tolerance is of the fluid at rest.
 bool wants_quiet_trials(Scene const& scene) {
-  return (scene.scheme.drift && !wished_balance(scene.scheme)) || scene.scheme.bias;
+  return (scene.scheme.drift && !balance_tolerance(scene.scheme)) || scene.scheme.bias;
 }
 
 TradeOffPlan plan_of(Scene const& scene) {
@@ -63,16 +63,16 @@ struct Choice {
 Choice choose_at_rest(Scene const& scene, StudyOptions const& options) {
   Scene const trial = trial_of(scene);
   auto const plan = plan_of(scene);
-  auto const rate = wished_balance(scene.scheme) ? std::nullopt : scene.scheme.drift;
+  auto const rate = balance_tolerance(scene.scheme) ? std::nullopt : scene.scheme.drift;
   auto const target =
       parse_target(rate, scene.scheme.bias, scene.units, settings_of(trial, 1).units().time());
   auto const found = trade_off(trial, plan, options);
   auto const choice = largest_dt(found, 0, target);
   if (!choice)
     throw PhysicsError(
-        fmt::format("scheme.dt = \"auto\": no time step of {} to {} meets {} with {}; wish for "
-                    "less, or take another scheme or integrator (`mesobridge trade-off` compares them)",
-                    plan.dt.front(), plan.dt.back(), wish_text(scene.scheme), scene.scheme.name));
+        fmt::format("scheme.dt = \"auto\": no time step of {} to {} meets {} with {}; allow "
+                    "more, or take another scheme or integrator (`mesobridge trade-off` compares them)",
+                    plan.dt.front(), plan.dt.back(), tolerance_text(scene.scheme), scene.scheme.name));
   return {choice->dt, choice->because};
 }
 
@@ -82,21 +82,21 @@ ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options)
   Choice choice{largest_tried_dt(scene), "the largest time step that was run"};
   if (wants_quiet_trials(scene))
     choice = choose_at_rest(scene, options);
-  if (wished_balance(scene.scheme)) {
+  if (balance_tolerance(scene.scheme)) {
     auto const driven =
         find_balanced_time_step(scene, std::min(choice.dt, largest_driven_dt(scene)), options);
     choice = {driven.dt, driven.longest ? choice.because : "the wanted energy balance"};
   }
   return {with_time_step(scene, {.value = choice.dt}),
-          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}", choice.dt, wish_text(scene.scheme),
-                      choice.because)};
+          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}", choice.dt,
+                      tolerance_text(scene.scheme), choice.because)};
 }
 
 Scene with_stored_time_step(Scene const& scene, Scene const& stored) {
-  auto const wish = wish_text(scene.scheme);
-  require(stored.scheme.dt_chosen_for == wish, "the time step of the checkpoint",
+  auto const tolerance = tolerance_text(scene.scheme);
+  require(stored.scheme.dt_chosen_for == tolerance, "the time step of the checkpoint",
           stored.scheme.dt_chosen_for.value_or("(given)"),
-          fmt::format("must have been chosen for {} as the scene wishes", wish));
+          fmt::format("must have been chosen for {}, which the scene asks for", tolerance));
   return with_time_step(scene, stored.scheme.dt);
 }
 

@@ -2,7 +2,7 @@
 #include "fitting/eos/evaluate.hpp"
 #include "md/error.hpp"
 #include "sdpd/setup/balance.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -36,17 +36,39 @@ double largest_component(std::vector<double> const& v) {
   return found;
 }
 
+/// The velocities that the piston has at its fastest, into the fluid and away from it, >= 0.
+std::pair<double, double> fastest_piston(sdpd::SimulationSettings const& settings) {
+  double in = 0, out = 0;
+  for (auto const& [lower, upper] : settings.faces) {
+    in = std::max(in, lower.motion.velocity), out = std::max(out, -lower.motion.velocity);
+    for (auto const& row : lower.motion.table)
+      in = std::max(in, row.velocity), out = std::max(out, -row.velocity);
+  }
+  return {in, out};
+}
+
+/// The velocity of the shock that a piston makes that keeps this velocity; 0 where there is none, or no
+/// equation of state that could tell.
+double shock_velocity(sdpd::SimulationSettings const& settings, double v_P) {
+  if (auto const shock = shock_before_piston(settings)) // which knows what a reaction does
+    return shock->v_S;
+  try {
+    auto const shock = v_P > 0 ? piston_shock(settings, v_P) : std::nullopt;
+    return shock ? shock->v_S : 0;
+  } catch (PhysicsError const&) {
+    return 0;
+  }
+}
+
 /// The fastest motion that the scene names, and the shock that it makes where the equation of state tells it;
 /// at least the thermal velocity. Reduced.
 double fastest_motion(Scene const& scene, sdpd::SimulationSettings const& settings) {
   auto const units = settings.units();
-  double named = std::max(std::abs(scene.box.piston.value_or(0)), std::abs(scene.box.slide.value_or(0)));
+  auto const [in, out] = fastest_piston(settings);
+  double named = std::max({in, out, std::abs(scene.box.slide.value_or(0)), shock_velocity(settings, in)});
   for (auto const& region : scene.regions)
     named = std::max(named, largest_component(region.velocity));
-  double velocity = std::max(1 / std::sqrt(units.K), named / units.velocity());
-  if (auto const shock = shock_before_piston(settings))
-    velocity = std::max(velocity, shock->v_S / units.velocity());
-  return velocity;
+  return std::max(1 / std::sqrt(units.K), named / units.velocity());
 }
 
 /// The faster of that and the sound in the fluid at rest.
@@ -92,10 +114,10 @@ double rounded_down(double dt) {
   return std::floor(dt / unit + 1e-9) * unit;
 }
 
-/// The next time step after one that failed or kept less than was wished for: the error goes as its square.
-double next_dt(sdpd::BalanceResult const& trial, double wished) {
+/// The next time step after one that failed or missed more than it may: the error goes as its square.
+double next_dt(sdpd::BalanceResult const& trial, double tolerance) {
   double const factor =
-      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(wished / trial.run_share), 0.25, 0.8);
+      trial.failed() ? 0.5 : std::clamp(0.9 * std::sqrt(tolerance / trial.run_share), 0.25, 0.8);
   return rounded_down(trial.dt * factor);
 }
 
@@ -104,7 +126,7 @@ class Search {
  public:
   Search(Scene const& scene, double largest, StudyOptions const& options)
       : scene_(scene), options_(options), largest_(rounded_down(largest)),
-        wished_(wished_balance(scene.scheme).value()),
+        tolerance_(balance_tolerance(scene.scheme).value()),
         velocity_(fastest_wave(scene, settings_with(scene, largest_, 1))) {}
 
   BalancedTimeStep find() {
@@ -112,13 +134,13 @@ class Search {
     double dt = largest_;
     for (int k = 0; k < most_trials && dt >= deepest * largest_; ++k) {
       last = trial(dt, k);
-      if (!last.failed() && last.run_share <= wished_)
+      if (!last.failed() && last.run_share <= tolerance_)
         return {dt, last.run_share, k == 0};
-      dt = next_dt(last, wished_);
+      dt = next_dt(last, tolerance_);
     }
     throw PhysicsError(fmt::format(
-        "scheme.dt = \"auto\": no time step of {} to {} balances the energy within {}; at {} {}; wish for "
-        "less, or take another scheme or integrator",
+        "scheme.dt = \"auto\": no time step of {} to {} balances the energy within {}; at {} {}; allow "
+        "more, or take another scheme or integrator",
         last.dt, largest_, *scene_.scheme.drift, last.dt,
         last.failed() ? fmt::format("a trial fails: {}", last.failure)
                       : fmt::format("a trial lets expect {:.2g} %", 100 * last.run_share)));
@@ -154,7 +176,7 @@ class Search {
 
   Scene const& scene_;
   StudyOptions const& options_;
-  double largest_, wished_, velocity_;
+  double largest_, tolerance_, velocity_;
   std::optional<sdpd::Checkpoint> start_;
 };
 
@@ -171,7 +193,7 @@ BalancedTimeStep find_balanced_time_step(Scene const& scene, double largest, Stu
 }
 
 double work_of_balance_trials(Scene const& scene) {
-  if (!wished_balance(scene.scheme))
+  if (!balance_tolerance(scene.scheme))
     return 0;
   constexpr double usual_trials = 3;
   double const dt = largest_driven_dt(scene);

@@ -5,22 +5,20 @@
 namespace mesobridge::workflows {
 namespace {
 
-/// From where the run that is in the folder goes on; nothing where there is none of this scene.
-std::optional<PastRun> past_in(RunFolder const& folder, Scene const& scene) {
+/// From where the run that is in the folder goes on, as whose the scene then goes on; nothing where there is
+/// none of this scene.
+std::optional<PastRun> past_in(RunFolder const& folder, Scene& scene) {
   if (!folder.has_checkpoint())
     return std::nullopt;
   try {
     auto stored = read_checkpoint(folder.checkpoint());
-    resumed_scene(scene, stored.scene, stored.inputs, folder.checkpoint());
-    return past_run(std::move(stored));
+    auto const resumed = resumed_scene(scene, stored.scene, stored.inputs, folder.checkpoint());
+    auto past = past_run(std::move(stored));
+    scene = resumed;
+    return past;
   } catch (InputError const&) {
     return std::nullopt; // of another scene, or damaged: it begins again
   }
-}
-
-Scene as_far_as(Scene scene, std::optional<PastRun> const& past, RunFolder const& folder) {
-  return past ? resumed_scene(std::move(scene), past->stored.scene, past->stored.inputs, folder.checkpoint())
-              : scene;
 }
 
 double work_of(Scene const& scene, std::int64_t steps) {
@@ -29,18 +27,17 @@ double work_of(Scene const& scene, std::int64_t steps) {
 
 } // namespace
 
-RunResult run_or_go_on(Scene const& scene, std::filesystem::path const& directory, Context const& context,
+RunResult run_or_go_on(Scene scene, std::filesystem::path const& directory, Context const& context,
                        std::function<bool(std::uint64_t)> const& keep_going) {
   std::error_code ignored;
   std::filesystem::create_directories(directory, ignored); // writing there says what is wrong
   RunFolder const folder(directory);
   auto past = past_in(folder, scene);
-  auto const going_on = as_far_as(scene, past, folder);
-  return run_scene(going_on, {.directory = directory,
-                              .threads = 1,
-                              .past = std::move(past),
-                              .command = context.command_line(),
-                              .keep_going = keep_going});
+  return run_scene(scene, {.directory = directory,
+                           .threads = 1,
+                           .past = std::move(past),
+                           .command = context.command_line(),
+                           .keep_going = keep_going});
 }
 
 StudyProgress::StudyProgress(std::vector<DrivenRun> const& runs, Progress& progress) : progress_(progress) {

@@ -1,10 +1,10 @@
 #pragma once
 #include "workflows/interrupt.hpp"
 #include "workflows/job_pool.hpp"
-#include "workflows/reproduce/list.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/study/stored_part.hpp"
+#include "workflows/study/study.hpp"
 #include "workflows/version.hpp"
 #include <mutex>
 
@@ -18,7 +18,7 @@ struct DrivenRun {
 
 /// Runs the scene on one thread in the folder, which need not exist; what a run of this scene has left there
 /// is gone on with. Throws what run_scene throws.
-RunResult run_or_go_on(Scene const& scene, std::filesystem::path const& folder, Context const& context,
+RunResult run_or_go_on(Scene scene, std::filesystem::path const& folder, Context const& context,
                        std::function<bool(std::uint64_t)> const& keep_going);
 
 /// The part of all steps of a study that is done, of runs that work side by side.
@@ -39,7 +39,7 @@ class StudyProgress {
 /// directory and read back, others go on from their checkpoints. Throws Interrupted.
 template <class Row, class RowOf, class Failed>
 std::vector<Row> run_study(std::string const& title, std::vector<DrivenRun> const& runs,
-                           ReproduceOptions const& options, Context const& context, RowOf const& row_of,
+                           StudyOptions const& options, Context const& context, RowOf const& row_of,
                            Failed const& failed) {
   auto const directory = options.directory / "runs";
   auto progress = context.progress(title, 1);

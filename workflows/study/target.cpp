@@ -1,5 +1,5 @@
 #include "workflows/study/target.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 
 namespace mesobridge::workflows {
 

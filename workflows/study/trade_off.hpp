@@ -14,7 +14,8 @@ struct TradeOffPlan {
   bool stability_limit = true;  ///< find the largest stable time step of every configuration
 };
 
-/// A wish: energy drift of (E - E_0)/|E_0| per reduced unit of time, or relative bias of T_kin, T_int and P.
+/// A tolerance: energy drift of (E - E_0)/|E_0| per reduced unit of time, or relative bias of T_kin, T_int
+/// and P.
 struct Target {
   std::optional<double> drift, bias;
 };

@@ -173,7 +173,7 @@ Report trade_off_report(TradeOff const& found, Target const& target) {
   for (auto const& of : found.configurations)
     for (auto const& trial : of.trials)
       ++all, failed += trial.failed();
-  bool const wished = target.drift || target.bias;
+  bool const bounded = target.drift || target.bias;
   Report report{
       .title = "Cost against accuracy: " + found.scene.title,
       .lead = fmt::format("{} runs of {} particles over {:g} reduced units of time, of which {} could not "
@@ -184,7 +184,7 @@ Report trade_off_report(TradeOff const& found, Target const& target) {
       .provenance = {}};
   if (found.scene.scheme.name == "ssa" || found.scene.features().densities)
     report.sources = {"Faure 2017", "Shardlow 2003"};
-  if (wished)
+  if (bounded)
     report.sections.push_back(recommendation_section(found, target));
   for (double const K : sizes(found))
     report.sections.push_back(size_section(found, K));

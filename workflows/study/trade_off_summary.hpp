@@ -10,7 +10,7 @@ Json trade_off_json(TradeOff const& found, Target const& target);
 /// Its report without provenance: Pareto front, drift, bias, stability, recommendation.
 Report trade_off_report(TradeOff const& found, Target const& target);
 
-/// "drift 1e-06 per reduced time": what was wished.
+/// "drift 1e-06 per reduced time": what was asked for.
 std::string target_text(Target const& target);
 
 /// What applies a recommendation to the scene: "--set scheme.name=ssa ... --set scheme.dt=0.25".

@@ -1,4 +1,5 @@
 #include "md/lj_piston.hpp"
+#include "piston_slices.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -19,20 +20,9 @@ LjPistonSettings small_settings() {
 }
 
 std::vector<PistonSlices> run(LjPistonSettings const& settings, std::int64_t steps) {
-  MpiWorld const world;
-  std::vector<PistonSlices> all;
-  EXPECT_TRUE(sample_lj_piston(world, settings, steps,
-                               {.slices = [&](auto const& slices) { return all.push_back(slices), true; }}));
-  std::filesystem::remove(settings.log_file);
-  return all;
-}
-
-/// Mean over the slices from `first` to `last` (of spacings, as wide as slices), weighted with their atoms.
-double mean(PistonSlices const& now, std::vector<double> const& values, int first, int last) {
-  double sum = 0, n = 0;
-  for (auto s = std::size_t(first); s < std::size_t(last); ++s)
-    sum += now.number[s] * values[s], n += now.number[s];
-  return sum / n;
+  return slices_of(settings.log_file, [&](PistonConsumers const& consumers) {
+    return sample_lj_piston(MpiWorld(), settings, steps, consumers);
+  });
 }
 
 TEST(LjPiston, PushesAFluidThatIsAtRestFurtherOn) {

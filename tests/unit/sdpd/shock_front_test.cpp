@@ -112,6 +112,49 @@ TEST(SteadyShock, HasTheErrorOfWhatDoesNotChangeFromFrameToFrame) {
   EXPECT_EQ(shock->P.se, steady_shock(moving_front(80), scale())->P.se); // whose parts are alike
 }
 
+/// Slices wider than the plateau of the first frames: no centre of one lies in it.
+TEST(SteadyShock, LeavesOutFramesWhosePlateauHoldsNoSlice) {
+  constexpr int wide = 20;
+  auto fine = scale();
+  ShockScale coarse{.position = {}, .v_P = v_P, .spacing = 1};
+  for (int s = 0; s < slices; s += wide)
+    coarse.position.push_back(s + wide / 2.0);
+  auto const mean = [&](std::vector<double> const& of, std::size_t first) {
+    double sum = 0;
+    for (std::size_t s = first; s < first + wide; ++s)
+      sum += of[s] / wide;
+    return sum;
+  };
+  std::vector<ShockFrame> frames;
+  for (auto const& of : moving_front(80)) {
+    ShockFrame frame{.time = of.time, .piston = of.piston, .velocity = {}, .rho = {}, .P = {}, .T = {}};
+    for (std::size_t s = 0; s < slices; s += wide)
+      frame.velocity.push_back(mean(of.velocity, s)), frame.rho.push_back(mean(of.rho, s)),
+          frame.P.push_back(mean(of.P, s)), frame.T.push_back(mean(of.T, s));
+    frames.push_back(frame);
+  }
+  auto const shock = steady_shock(frames, coarse);
+  ASSERT_TRUE(shock);
+  EXPECT_LT(shock->times.size(), steady_shock(moving_front(80), fine)->times.size());
+  for (auto const& [found, exact] : {std::pair(shock->rho, 1.75), {shock->P, 23.0}, {shock->T, 2.0}})
+    EXPECT_LT(std::abs(cg::deviation(found, exact)), 6);
+}
+
+TEST(SteadyShock, KnowsItsFramesWhereSomeBetweenThemHaveNoFront) {
+  auto frames = moving_front(80);
+  auto const all = steady_shock(frames, scale());
+  ASSERT_TRUE(all);
+  auto const lost = all->frames[10];
+  frames[lost].velocity.back() = v_P;
+  auto const shock = steady_shock(frames, scale());
+  ASSERT_TRUE(shock);
+  ASSERT_EQ(shock->frames.size(), all->frames.size() - 1);
+  for (std::size_t k = 0; k < shock->frames.size(); ++k) {
+    EXPECT_NE(shock->frames[k], lost);
+    EXPECT_EQ(shock->times[k], frames[shock->frames[k]].time);
+  }
+}
+
 TEST(SteadyShock, NeedsEnoughFramesThatAreFarFromBothEnds) {
   EXPECT_FALSE(steady_shock(moving_front(30), scale()));
   EXPECT_FALSE(steady_shock({}, scale()));

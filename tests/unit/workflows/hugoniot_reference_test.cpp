@@ -24,14 +24,18 @@ TEST(HugoniotReference, LiesBetweenThePointsAboutIt) {
   auto const file = scratch / "hugoniot.csv";
   std::vector<cg::HugoniotPoint> const points{point(2000, 8000), point(1000, 6700)}; // in any order
   write_text_file(file, hugoniot_csv(points));
-  auto const found = read_hugoniot_reference(file, 2700, 1250);
+  auto const found = read_hugoniot_reference(file, {2700, 300}, 1250);
   EXPECT_NEAR(found.v_S.mean, 6700 + 0.25 * 1300, 1e-6);
   EXPECT_NEAR(found.v_S.se, std::hypot(0.75 * 10, 0.25 * 10), 1e-9);
   EXPECT_NEAR(found.T.mean, 1550, 1e-6);
+  double const rho_1 = 2700 * 6700.0 / 5700, rho_2 = 2700 * 8000.0 / 6000; // their v_P is known to 3 m/s
+  EXPECT_NEAR(found.rho.mean, 0.75 * rho_1 + 0.25 * rho_2, 1e-6);
+  EXPECT_NEAR(found.rho.se, (rho_2 - rho_1) / 1000 * std::hypot(0.75 * 3, 0.25 * 3), 1e-9);
   EXPECT_NEAR(found.P.mean, 2700 * (0.75 * 6700e3 + 0.25 * 16000e3), 1);
-  auto const error = [&](std::filesystem::path const& of, double rho0, double v_P) {
-    return tests::error_text<InputError>([&] { read_hugoniot_reference(of, rho0, v_P); });
+  auto const error = [&](std::filesystem::path const& of, double rho0, double v_P, double T0 = 300) {
+    return tests::error_text<InputError>([&] { read_hugoniot_reference(of, {rho0, T0}, v_P); });
   };
+  EXPECT_NE(error(file, 2700, 1250, 500).find("same --T0"), std::string::npos);
   EXPECT_NE(error(file, 2700, 2500).find("both sides of --vp = 2500"), std::string::npos);
   EXPECT_NE(error(file, 2800, 1250).find("same --rho0"), std::string::npos);
   write_text_file(scratch / "other.csv", "a,b\n1,2\n");

@@ -169,6 +169,8 @@ TEST(Scene, ReadsTheNoiseThatWasAKeyOfTheScheme) {
       ++refused;
     }
   EXPECT_EQ(refused, 4);
+  EXPECT_THROW(parse_scene("method = \"sdpd\"\n" + std::string(good), "s.toml", {"scheme.noise=off"}),
+               InputError);
 }
 
 TEST(Scene, ReadsWholeNumbersThatNoDoubleHolds) {

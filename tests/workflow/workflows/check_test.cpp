@@ -106,7 +106,7 @@ TEST_F(CheckAndRun, RefuseTheSameInTheSameWords) {
       {"sdpd", {"transport.eta=1e308 Pa*s", "fluid.T=1e-300 K"}, ""},
       {"sdpd", {"fluid.rho=1e-300 kg/m^3", "particles.K=1e300"}, ""},
       {"sdpd", {"particles.density=given"}, "density_scale"},
-      {"sdpd", {"scheme.dt=auto"}, "needs a wish"},
+      {"sdpd", {"scheme.dt=auto"}, "needs a tolerance"},
       {"sdpd", {"scheme.dt=auto", "scheme.bias=twice"}, "scheme.bias"},
       {"sdpd", {"scheme.dt=auto", "scheme.bias=\"1%\"", "particles.N=216"}, "343"},
       {"sdpd", {"scheme.dt=1e-300 s"}, "scheme.dt"},

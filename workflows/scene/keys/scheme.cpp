@@ -42,20 +42,20 @@ std::vector<SceneKey> scheme_keys() {
           "short study for the wanted drift or bias")
           .required()
           .quantity(Dimension::time, positive),
-      scheme(
-          "drift", &Scene::Scheme::drift,
-          "with dt = \"auto\": wanted rate of the relative energy error of the fluid at rest, such as "
-          "\"1e-6/ps\" (a plain number "
-          "per unit of time when units = \"lj\"). In scenes that something drives (regions, a piston, walls "
-          "that slide, open faces, a body force) also a share, such as \"1%\": the energy that may be "
-          "missing "
-          "at the end of the run, of what has come from outside or been exchanged between internal and "
-          "kinetic "
-          "energies (sdpd/README.md, Eq. (S73)); found by trials of the run's beginning"),
+      scheme("drift", &Scene::Scheme::drift,
+             "with dt = \"auto\": wanted rate of the relative energy error of the fluid at rest, such as "
+             "\"1e-6/ps\" (a plain number "
+             "per unit of time when units = \"lj\"). In scenes that something drives (regions, a reaction, a "
+             "piston, walls that slide, open faces, a body force) also a share, such as \"1%\": the energy "
+             "that may be "
+             "missing "
+             "at the end of the run, of what has come from outside or been exchanged between internal and "
+             "kinetic "
+             "energies (sdpd/README.md, Eq. (S73)); found by trials of the run's beginning"),
       scheme("bias", &Scene::Scheme::bias,
              "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
       scheme("dt_chosen_for", &Scene::Scheme::dt_chosen_for,
-             "written by the program: the wish that dt was chosen for"),
+             "written by the program: the tolerance that dt was chosen for"),
       scheme("splitting", &Scene::Scheme::splitting,
              "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
              "either side (strang)")

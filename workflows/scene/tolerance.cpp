@@ -1,4 +1,4 @@
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "md/error.hpp"
 #include "workflows/quantity.hpp"
 #include <charconv>
@@ -43,13 +43,13 @@ double parse_share(std::string const& text) {
   return share;
 }
 
-std::optional<double> wished_balance(Scene::Scheme const& scheme) {
+std::optional<double> balance_tolerance(Scene::Scheme const& scheme) {
   if (!scheme.drift || !scheme.drift->ends_with('%'))
     return std::nullopt;
   return parse_share(*scheme.drift);
 }
 
-std::string wish_text(Scene::Scheme const& scheme) {
+std::string tolerance_text(Scene::Scheme const& scheme) {
   std::vector<std::string> parts;
   if (scheme.drift)
     parts.push_back("drift " + *scheme.drift);

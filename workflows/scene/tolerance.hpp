@@ -10,11 +10,11 @@ double parse_rate(std::string const& text, UnitSystem units);
 /// Reads "0.5%" or "0.005", > 0 and < 1. Throws InputError that says what is allowed.
 double parse_share(std::string const& text);
 
-/// The share of the energy turned over that a driven scene lets get lost, where its drift is given in per
-/// cent; nothing where it is a rate. Throws InputError as parse_share.
-std::optional<double> wished_balance(Scene::Scheme const& scheme);
+/// The share of the energy turned over that a driven scene may miss, where its drift is given in per cent;
+/// nothing where it is a rate. Throws InputError as parse_share.
+std::optional<double> balance_tolerance(Scene::Scheme const& scheme);
 
-/// What a scene wishes of its automatic time step in one line: "drift 1e-6/ps, bias 0.5%".
-std::string wish_text(Scene::Scheme const& scheme);
+/// What errors a scene tolerates of its automatic time step in one line: "drift 1e-6/ps, bias 0.5%".
+std::string tolerance_text(Scene::Scheme const& scheme);
 
 } // namespace mesobridge::workflows

@@ -1,12 +1,12 @@
 #include "md/error.hpp"
-#include "workflows/scene/wish.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
 namespace {
 
-TEST(Wish, ReadsRatesAndShares) {
+TEST(Tolerance, ReadsRatesAndShares) {
   EXPECT_DOUBLE_EQ(parse_rate("1e-6/ps", UnitSystem::SI), 1e6);
   EXPECT_DOUBLE_EQ(parse_rate("2 / ns", UnitSystem::SI), 2e9);
   EXPECT_DOUBLE_EQ(parse_rate("1e-6", UnitSystem::lj), 1e-6);
@@ -33,17 +33,17 @@ std::string scene_text(std::string const& scheme) {
          scheme;
 }
 
-TEST(Wish, BelongsToAnAutomaticTimeStep) {
+TEST(Tolerance, BelongsToAnAutomaticTimeStep) {
   auto const scene = parse_scene(scene_text("dt = \"auto\"\ndrift = \"1e-6/ps\"\n"), "s.toml");
   EXPECT_TRUE(scene.scheme.dt.automatic);
-  EXPECT_EQ(wish_text(scene.scheme), "drift 1e-6/ps");
+  EXPECT_EQ(tolerance_text(scene.scheme), "drift 1e-6/ps");
   EXPECT_EQ(parse_scene(resolved_toml(scene), "r.toml"), scene);
   struct Case {
     char const *scheme, *message;
   };
   int refused = 0;
   for (auto const& [scheme, message] :
-       {Case{"dt = \"auto\"\n", "needs a wish"}, Case{"dt = 0.1\nbias = \"1%\"\n", "wants dt"},
+       {Case{"dt = \"auto\"\n", "needs a tolerance"}, Case{"dt = 0.1\nbias = \"1%\"\n", "wants dt"},
         Case{"dt = \"auto\"\ndrift = \"1e-6\"\n", "per unit of time"},
         Case{"dt = \"Auto\"\n", "scheme.dt"}}) {
     try {
@@ -57,7 +57,7 @@ TEST(Wish, BelongsToAnAutomaticTimeStep) {
   EXPECT_EQ(refused, 4);
 }
 
-TEST(Wish, StaysWithTheTimeStepThatWasChosenForIt) {
+TEST(Tolerance, StaysWithTheTimeStepThatWasChosenForIt) {
   auto const scene = parse_scene(scene_text("dt = \"auto\"\ndrift = \"1e-6/ps\"\n"), "s.toml");
   auto stored = scene;
   stored.scheme = {.dt = {.value = 0.12}, .dt_chosen_for = "drift 1e-6/ps"};
