@@ -97,12 +97,5 @@ TEST(CompressedDensity, KeepsThePressureWithoutAnotherCalibration) {
   EXPECT_LT(plain.P.mean, 0.93); // a wrong answer is seen
 }
 
-TEST(CompressedDensityProbe, Prints) {
-  for (auto const& [rho, T] : {std::pair(rho_0, 1000.0), {4074.7, 8139.4}}) {
-    auto const found = measure(gas(rho, T, {1.0094, 0.507}));
-    std::printf("rho %g: <rho> %.4f (%.4f) P %.4f (%.4f)\n", rho, found.rho.mean, found.rho.se, found.P.mean, found.P.se);
-  }
-}
-
 } // namespace
 } // namespace mesobridge::sdpd

@@ -182,13 +182,14 @@ TEST(EnclosedFluids, FeelTheirPressureOnTheAreaThatThePistonLeaves) {
   auto const all = measurements();
   auto const pressure = std::ranges::find(all, "wall_pressure", &Measurement::name);
   ASSERT_NE(pressure, all.end());
+  auto const pressures = std::get<Measurement::FromSystem>(pressure->values);
   auto const edge = system->box.edge;
   for (double const way : {0.0, 0.5 * edge.z}) {
     system->wall_time = way;
     double const of_both = edge.y * (edge.z - way) + edge.x * edge.y;
     auto const& walls = system->walls; // lower and upper across x, then z
-    EXPECT_NEAR(pressure->values(*system)[0] * of_both / (walls[0].force + walls[2].force), 1, 1e-12);
-    EXPECT_NEAR(pressure->values(*system)[1] * of_both / (walls[1].force + walls[3].force), -1, 1e-12);
+    EXPECT_NEAR(pressures(*system)[0] * of_both / (walls[0].force + walls[2].force), 1, 1e-12);
+    EXPECT_NEAR(pressures(*system)[1] * of_both / (walls[1].force + walls[3].force), -1, 1e-12);
   }
 }
 

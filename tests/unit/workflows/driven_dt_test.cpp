@@ -108,28 +108,6 @@ TEST(DrivenTimeStep, BalancesTheEnergyBeforePistonsOfAnyVelocity) {
   EXPECT_EQ(cases, 5);
 }
 
-TEST(DrivenProbe, Prints) {
-  for (auto const& [eos, v_P] : {std::pair("argon", 50.0),
-                                 {"argon", 500.0},
-                                 {"argon", 2000.0},
-                                 {"ideal-gas", 7700.0},
-                                 {"ideal-gas", 10000.0}})
-    for (int seed = 1; seed <= 5; ++seed) {
-      auto scene = scene_of(piston_text(eos, v_P, "1 %"));
-      scene.run.seed = seed;
-      auto const found = find_balanced_time_step(scene, largest_driven_dt(scene), {});
-      auto chosen = scene;
-      chosen.scheme.dt = {.value = found.dt}, chosen.scheme.drift = std::nullopt;
-      std::printf("%s %g seed %d: dt %g trial %.5f", eos, v_P, seed, found.dt, found.share);
-      for (int other = 101; other <= 103; ++other) {
-        chosen.run.seed = other;
-        std::printf(" run %.5f", share_of_run(chosen));
-      }
-      std::printf("\n");
-      std::fflush(stdout);
-    }
-}
-
 /// Without noise: a near vacuum behind two rarefactions, and two streams that collide.
 TEST(DrivenTimeStep, BalancesTubes) {
   int cases = 0;
