@@ -92,7 +92,7 @@ void expect_bits_of_unbroken(Beginning const& beginning, int wanted, unsigned se
   std::mt19937 generator(seed);
   std::uniform_int_distribution<std::int64_t> delay(1000, time.count());
   int kills = 0, ended = 0;
-  for (int attempt = 0; kills < wanted && attempt < 4 * wanted; ++attempt) {
+  for (int attempt = 0; kills < wanted && attempt < 10 * wanted; ++attempt) {
     auto const folder = scratch / fmt::format("broken-{}", attempt);
     auto const command = words(beginning, folder);
     for (int kill = 0; kill <= attempt % 2; ++kill) {
