@@ -12,6 +12,11 @@ struct Estimate {
   double n_eff = 0;
 };
 
+/// The same in another unit, factor > 0.
+inline Estimate scaled(Estimate const& e, double factor) {
+  return {e.mean * factor, e.se * factor, e.n_eff};
+}
+
 /// True when the estimate lies within z standard errors of the value.
 bool agrees(Estimate const& estimate, double value, double z);
 

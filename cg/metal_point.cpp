@@ -15,10 +15,6 @@ LjUnits analysis_units(double mass) {
   return {.sigma = 1e-10, .epsilon = k_B, .mass = mass};
 }
 
-Estimate scaled(Estimate const& estimate, double factor) {
-  return {estimate.mean * factor, estimate.se * factor, estimate.n_eff};
-}
-
 /// Growth of the mean squared displacement from the middle of the samples to their end, each an average over
 /// a tenth.
 double growth(std::span<md::MetalSample const> samples) {

@@ -1,5 +1,6 @@
 #include "workflows/csv_table.hpp"
 #include "md/error.hpp"
+#include "workflows/trimmed.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,11 +11,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF", minus_sign = "\xE2\x88\x92";
-
-std::string trimmed(std::string_view text) {
-  auto const first = text.find_first_not_of(blanks);
-  return first == text.npos ? "" : std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
-}
 
 /// One line without its end; takes it off the text.
 std::string_view next_line(std::string_view& text) {
@@ -71,7 +67,7 @@ class Cells {
  private:
   bool separates(char c) const { return separator_ == ' ' ? blanks.find(c) != blanks.npos : c == separator_; }
   void end_cell() {
-    cells_.push_back(trimmed(cell_));
+    cells_.emplace_back(trimmed(cell_));
     cell_.clear();
   }
 

@@ -2,6 +2,7 @@
 #include "md/error.hpp"
 #include "md/units.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/trimmed.hpp"
 #include <charconv>
 #include <vector>
 
@@ -66,11 +67,6 @@ std::vector<std::string> names_of(Dimension dimension) {
     if (unit.dimension == dimension)
       names.emplace_back(unit.name);
   return names;
-}
-
-std::string_view trimmed(std::string_view text) {
-  auto const first = text.find_first_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
 double factor_of(std::string_view name, Dimension dimension) {

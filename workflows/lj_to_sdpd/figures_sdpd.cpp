@@ -43,10 +43,6 @@ Plot size_plot(std::string name, std::string title, std::string y) {
   return plot;
 }
 
-cg::Estimate scaled(cg::Estimate const& e, double unit) {
-  return {e.mean * unit, e.se * unit, e.n_eff};
-}
-
 std::string size_label(RunResult const& run) {
   return fmt::format("K = {:g}", run.settings.K());
 }

@@ -11,10 +11,6 @@
 namespace mesobridge::workflows {
 namespace {
 
-cg::Estimate scaled(cg::Estimate const& e, double unit) {
-  return {e.mean * unit, e.se * unit, e.n_eff};
-}
-
 Table fluid_table(ChainResults const& results) {
   auto const& first = results.fluid.front();
   auto const eos =

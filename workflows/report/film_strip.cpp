@@ -32,11 +32,11 @@ double share_of(FilmStrip const& strip, double value) {
 }
 
 /// Where the frames are: as many columns as leave them a fair size.
-struct Layout {
+struct FrameGrid {
   int columns, rows;
   double width, height; ///< of a frame
 
-  explicit Layout(FilmStrip const& strip) {
+  explicit FrameGrid(FilmStrip const& strip) {
     double const aspect = (strip.x_to - strip.x_from) / (strip.y_to - strip.y_from),
                  room = plot_width * 1.5 - left - right_margin;
     int const frames = static_cast<int>(strip.frames.size());
@@ -51,7 +51,7 @@ struct Layout {
 };
 
 /// The points of one shade are one path of dots.
-std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, Layout const& at, int number) {
+std::string points(FilmStrip const& strip, FilmStrip::Frame const& frame, FrameGrid const& at, int number) {
   double const scale_x = at.width / (strip.x_to - strip.x_from),
                scale_y = at.height / (strip.y_to - strip.y_from);
   std::array<std::string, shades> dots;
@@ -96,7 +96,7 @@ std::string with_raised_numbers(std::string label) {
 
 std::string draw_svg(FilmStrip const& strip) {
   check(strip);
-  Layout const at(strip);
+  FrameGrid const at(strip);
   double const full_width = plot_width * 1.5, full_height = at.bottom_edge() + bottom;
   std::string svg = fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {:.0f} {:.0f}' role='img' "

@@ -18,10 +18,6 @@
 namespace mesobridge::workflows {
 namespace {
 
-cg::Estimate scaled(cg::Estimate const& e, double unit) {
-  return {e.mean * unit, e.se * unit, e.n_eff};
-}
-
 std::string with_unit(std::string const& quantity, std::string const& unit) {
   return unit.empty() ? quantity : quantity + " [" + unit + "]";
 }
@@ -34,8 +30,8 @@ void add_energies(Table& table, RunResult const& run, OutputUnits const& units) 
                         with_error_text(scaled(e.eps.mean, units.specific_energy)), "", "", ""});
   table.rows.push_back(
       {with_unit("drift of the energy, relative", si ? "1/ps" : "1/time"),
-       with_error_text(scaled({e.drift.rate, e.drift.se, 8}, 1 / (units.time * (si ? 1e12 : 1)))), "0", "",
-       ""});
+       with_error_text(scaled(cg::Estimate{e.drift.rate, e.drift.se, 8}, 1 / (units.time * (si ? 1e12 : 1)))),
+       "0", "", ""});
   if (run.summary.contains("energy_balance_error"))
     table.rows.push_back({"energy that is missing, of what was turned over [%]",
                           number_text(100 * run.summary["energy_balance_error"].get<double>(), 2), "0", "",
@@ -188,7 +184,8 @@ std::vector<std::string> sources_of(RunResult const& run) {
   return sources;
 }
 
-/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time; and the film.
+/// What a run shows that is not at equilibrium: shock, start, exact solution, flow, space and time; and the
+/// film.
 std::vector<Section> driven_sections(std::filesystem::path const& run_file, RunResult const& run,
                                      OutputUnits const& units) {
   Store const store(run_file, Store::Mode::read);

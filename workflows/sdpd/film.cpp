@@ -9,7 +9,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr std::size_t most_frames = 12, most_points = 6000;
+constexpr std::size_t most_frames = 12, most_film_points = 6000;
 
 /// The value below which a share of all are.
 double quantile(std::vector<double> values, double share) {
@@ -41,7 +41,7 @@ void thin_frames(FilmStrip& strip) {
 bool thin_points(FilmStrip& strip) {
   bool thinned = false;
   for (auto& frame : strip.frames) {
-    std::size_t const step = (frame.x.size() + most_points - 1) / most_points;
+    std::size_t const step = (frame.x.size() + most_film_points - 1) / most_film_points;
     if (step < 2)
       continue;
     thinned = true;

@@ -5,7 +5,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::string const group = "film";
+std::string const film_group = "film";
 
 /// The components of the velocity come beside the fields.
 std::optional<int> velocity_axis(std::string const& quantity) {
@@ -46,7 +46,7 @@ FilmColumn film_column(std::string const& quantity, OutputUnits const& units) {
 FilmSeries::FilmSeries(Store& store, Scene const& scene, sdpd::SimulationSettings const& settings,
                        OutputUnits const& units)
     : store_(store), view_(film_view(scene, settings)), quantity_(*scene.film.quantity), units_(units),
-      last_step_(workflows::last_step(store, group + "/step")) {}
+      last_step_(workflows::last_step(store, film_group + "/step")) {}
 
 void FilmSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double time) {
   auto const this_step = static_cast<std::int64_t>(step);
@@ -63,19 +63,22 @@ void FilmSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double ti
     up.push_back(component(now.q[i], view_.up) * units_.length);
     value.push_back(all[i] * unit);
   }
-  auto const place = [&](int axis) { return fmt::format("{}/{}{}", group, "xyz"[axis], units_.length_key); };
+  auto const place = [&](int axis) {
+    return fmt::format("{}/{}{}", film_group, "xyz"[axis], units_.length_key);
+  };
   for (auto const& [path, numbers] :
-       {std::pair(place(view_.right), &right), {place(view_.up), &up}, {group + "/" + name, &value}})
+       {std::pair(place(view_.right), &right), {place(view_.up), &up}, {film_group + "/" + name, &value}})
     if (!numbers->empty())
       store_.append(path, *numbers);
-  auto const frames = store_.contains(group + "/end") ? store_.rows(group + "/end") : 0;
+  auto const frames = store_.contains(film_group + "/end") ? store_.rows(film_group + "/end") : 0;
   std::int64_t const before =
-      frames > 0 ? store_.read_integer_row(group + "/end", frames - 1, {.row_shape = Store::Shape{}}).at(0)
-                 : 0;
+      frames > 0
+          ? store_.read_integer_row(film_group + "/end", frames - 1, {.row_shape = Store::Shape{}}).at(0)
+          : 0;
   std::int64_t const end = before + static_cast<std::int64_t>(right.size());
-  store_.append(group + "/end", std::span(&end, 1));
-  store_.append(group + "/time" + units_.time_key, std::span(&time, 1));
-  store_.append(group + "/step", std::span(&this_step, 1));
+  store_.append(film_group + "/end", std::span(&end, 1));
+  store_.append(film_group + "/time" + units_.time_key, std::span(&time, 1));
+  store_.append(film_group + "/step", std::span(&this_step, 1));
   last_step_ = this_step;
   store_.flush();
 }

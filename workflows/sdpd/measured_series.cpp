@@ -9,10 +9,10 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::string const group = "series";
+std::string const series_group = "series";
 
 std::string dataset_of(sdpd::Measurement const& measured, OutputUnits const& units) {
-  return group + "/" + dataset_name(measured, units);
+  return series_group + "/" + dataset_name(measured, units);
 }
 
 /// Those of one number have no second dimension.
@@ -40,14 +40,14 @@ std::vector<sdpd::Measurement> measured_in_series(Scene const& scene) {
 
 MeasuredSeries::MeasuredSeries(Store& store, Scene const& scene, OutputUnits const& units)
     : store_(store), measured_(measured_in_series(scene)), units_(units),
-      last_step_(workflows::last_step(store, group + "/step")) {
-  std::size_t const rows = last_step_ < 0 ? 0 : store_.rows(group + "/step");
+      last_step_(workflows::last_step(store, series_group + "/step")) {
+  std::size_t const rows = last_step_ < 0 ? 0 : store_.rows(series_group + "/step");
   for (auto const& measured : measured_)
     if (auto const dataset = dataset_of(measured, units_);
         rows > 0 && (!store_.contains(dataset) || store_.rows(dataset) != rows))
       throw InputError(fmt::format("cannot go on with '{}': '{}' has not the {} rows of '{}/step': the run "
                                    "has measured other quantities before; ask for those",
-                                   store_.file().string(), dataset, rows, group));
+                                   store_.file().string(), dataset, rows, series_group));
 }
 
 void MeasuredSeries::append(sdpd::Simulation const& simulation, double time) {
@@ -67,8 +67,8 @@ void MeasuredSeries::append(sdpd::Simulation const& simulation, double time) {
     if (values.size() > 1)
       store_.set_attribute(dataset, "components", columns_of(measured, units_));
   }
-  store_.append(group + "/time" + units_.time_key, std::span(&time, 1));
-  store_.append(group + "/step", std::span(&step, 1));
+  store_.append(series_group + "/time" + units_.time_key, std::span(&time, 1));
+  store_.append(series_group + "/step", std::span(&step, 1));
   last_step_ = step;
   store_.flush();
 }
@@ -80,7 +80,7 @@ cg::Estimate MeasuredComponent::mean() const {
 std::vector<MeasuredComponent> measured_components(Store const& store, Scene const& scene,
                                                    OutputUnits const& units) {
   std::vector<MeasuredComponent> all;
-  if (!store.contains(group + "/step"))
+  if (!store.contains(series_group + "/step"))
     return all;
   for (auto const& measured : measured_in_series(scene)) {
     auto const count = measured.components.size();
@@ -96,7 +96,7 @@ std::vector<MeasuredComponent> measured_components(Store const& store, Scene con
 }
 
 std::vector<double> measured_times(Store const& store, OutputUnits const& units) {
-  return store.read_doubles(group + "/time" + units.time_key);
+  return store.read_doubles(series_group + "/time" + units.time_key);
 }
 
 } // namespace mesobridge::workflows

@@ -6,7 +6,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-std::string const group = "profile";
+std::string const profile_group = "profile";
 
 double edge_along(Box const& box, int axis) {
   return axis == 0 ? box.edge.x : axis == 1 ? box.edge.y : box.edge.z;
@@ -19,7 +19,7 @@ ProfileSeries::ProfileSeries(Store& store, Scene const& scene, OutputUnits const
                              static_cast<std::size_t>(scene.profile.bins)},
       axis_(scene.profile.axis),
       quantities_(chosen(scene.profile.quantities, profile_quantities(), scene.features())), units_(units),
-      boltzmann_(boltzmann), last_step_(workflows::last_step(store, group + "/step")) {}
+      boltzmann_(boltzmann), last_step_(workflows::last_step(store, profile_group + "/step")) {}
 
 bool ProfileSeries::shows(std::string const& quantity) const {
   return std::ranges::find(quantities_, quantity) != quantities_.end();
@@ -31,11 +31,11 @@ void ProfileSeries::describe(Box const& box) {
   std::vector<double> centres(slices_.count);
   for (std::size_t s = 0; s < centres.size(); ++s)
     centres[s] = (static_cast<double>(s) + 0.5) * width;
-  store_.write(group + "/position" + units_.length_key, centres);
-  store_.set_attribute(group, "axis", axis_);
-  store_.set_attribute(group, "slice_width" + units_.length_key, width);
+  store_.write(profile_group + "/position" + units_.length_key, centres);
+  store_.set_attribute(profile_group, "axis", axis_);
+  store_.set_attribute(profile_group, "slice_width" + units_.length_key, width);
   store_.set_attribute(
-      group, "meaning",
+      profile_group, "meaning",
       std::string("means over the particles of each slice at one instant; 0 where `number` is 0 "
                   "(T_kin: below 2)"));
 }
@@ -44,14 +44,15 @@ void ProfileSeries::append(std::string const& quantity, sdpd::Profile const& pro
   auto put = [&](std::vector<double> values, double unit, std::string const& key) {
     for (double& value : values)
       value *= unit;
-    store_.append(group + "/" + quantity + key, values, {values.size()});
+    store_.append(profile_group + "/" + quantity + key, values, {values.size()});
   };
   if (quantity == "velocity") {
     std::vector<double> components;
     for (auto const& v : profile.velocity)
       components.insert(components.end(),
                         {v.x * units_.velocity, v.y * units_.velocity, v.z * units_.velocity});
-    store_.append(group + "/velocity" + units_.velocity_key, components, {profile.velocity.size(), 3});
+    store_.append(profile_group + "/velocity" + units_.velocity_key, components,
+                  {profile.velocity.size(), 3});
   } else if (quantity == "rho")
     put(profile.rho, units_.density, units_.density_key);
   else if (quantity == "T_kin")
@@ -74,11 +75,11 @@ void ProfileSeries::append(sdpd::Snapshot const& now, Box const& box, std::uint6
   auto const profile = sdpd::profile(now, box, slices_, boltzmann_);
   if (last_step_ < 0)
     describe(box);
-  store_.append(group + "/number", profile.number, {profile.number.size()});
+  store_.append(profile_group + "/number", profile.number, {profile.number.size()});
   for (auto const& quantity : quantities_)
     append(quantity, profile);
-  store_.append(group + "/time" + units_.time_key, std::span(&time, 1));
-  store_.append(group + "/step", std::span(&this_step, 1));
+  store_.append(profile_group + "/time" + units_.time_key, std::span(&time, 1));
+  store_.append(profile_group + "/step", std::span(&this_step, 1));
   last_step_ = this_step;
   store_.flush();
 }

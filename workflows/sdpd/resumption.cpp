@@ -34,7 +34,7 @@ Values values_of(std::string const& resolved) {
 }
 
 template <class Number>
-std::optional<Number> number(Values const& values, std::string const& key) {
+std::optional<Number> number_of(Values const& values, std::string const& key) {
   auto const found = values.find(key);
   Number result{};
   if (found == values.end())
@@ -46,7 +46,7 @@ std::optional<Number> number(Values const& values, std::string const& key) {
   return result;
 }
 
-std::optional<std::string> text(Values const& values, std::string const& key) {
+std::optional<std::string> text_of(Values const& values, std::string const& key) {
   auto const found = values.find(key);
   if (found == values.end())
     return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<std::string> text(Values const& values, std::string const& key) {
 }
 
 std::int64_t steps_of(Values const& values, std::string const& key) {
-  return number<std::int64_t>(values, key).value_or(0);
+  return number_of<std::int64_t>(values, key).value_or(0);
 }
 
 /// Keys that a resumed run may have other values of.
@@ -89,7 +89,7 @@ std::int64_t past_instants_every(Values const& stored) {
 std::int64_t past_film_every(Values const& stored) {
   Scene past;
   past.run.steps = steps_of(stored, "run.steps");
-  past.film.quantity = text(stored, "film.quantity");
+  past.film.quantity = text_of(stored, "film.quantity");
   past.film.every = steps_of(stored, "film.every");
   return film_every(past);
 }
@@ -98,13 +98,13 @@ std::int64_t past_film_every(Values const& stored) {
 Scene with_findings(Scene scene, Values const& stored) {
   if (scene.scheme.dt.automatic) {
     Scene past;
-    past.scheme.dt = {.value = number<double>(stored, "scheme.dt").value_or(0)};
-    past.scheme.dt_chosen_for = text(stored, "scheme.dt_chosen_for");
+    past.scheme.dt = {.value = number_of<double>(stored, "scheme.dt").value_or(0)};
+    past.scheme.dt_chosen_for = text_of(stored, "scheme.dt_chosen_for");
     scene = with_stored_time_step(scene, past);
   }
   if (wants_calibration(scene)) {
-    scene.particles.density_scale = number<double>(stored, "particles.density_scale");
-    scene.particles.density_self = number<double>(stored, "particles.density_self");
+    scene.particles.density_scale = number_of<double>(stored, "particles.density_scale");
+    scene.particles.density_self = number_of<double>(stored, "particles.density_self");
   }
   if (scene.run.instant_every == 0 && instants_every(scene.run) != past_instants_every(stored))
     scene.run.instant_every = past_instants_every(stored);
@@ -125,7 +125,7 @@ bool is_same_file(std::string const& key, std::vector<SceneFile> const& files, V
   auto const now = std::ranges::find(files, key, &SceneFile::key);
   if (now == files.end())
     return false;
-  auto const path = text(stored, key);
+  auto const path = text_of(stored, key);
   auto const before =
       std::ranges::find_if(inputs, [&](InputFile const& input) { return path == input.path.string(); });
   if (before == inputs.end())
@@ -186,12 +186,12 @@ Scene resumed_scene(Scene scene, std::string const& stored_scene, std::vector<In
       differences.push_back(fmt::format("{} was {} and is not given", path, value));
   if (differences.empty())
     return scene;
-  throw InputError(
-      fmt::format("'{}' was written by another scene than this one: {}. A run that is resumed may "
-                  "change run.steps, title, output.directory, and the schedules of trajectories, "
-                  "profiles, histograms, series, films and checkpoints; for anything else begin anew with --force "
-                  "or in another folder",
-                  place.string(), fmt::join(differences, ", ")));
+  throw InputError(fmt::format(
+      "'{}' was written by another scene than this one: {}. A run that is resumed may "
+      "change run.steps, title, output.directory, and the schedules of trajectories, "
+      "profiles, histograms, series, films and checkpoints; for anything else begin anew with --force "
+      "or in another folder",
+      place.string(), fmt::join(differences, ", ")));
 }
 
 } // namespace mesobridge::workflows

@@ -10,7 +10,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr std::size_t most_points = 400; ///< of a curve: more cannot be seen, and make a report heavy
+constexpr std::size_t most_curve_points = 400; ///< of a curve: more cannot be seen, and make a report heavy
 
 /// Columns of a table of rows, by their names.
 std::vector<double> column(std::vector<double> const& rows, std::vector<std::string> const& names,
@@ -140,8 +140,8 @@ std::vector<double> thinned(std::vector<double> const& values, std::size_t most)
 void add_curve_with_mean(Panel& panel, std::string const& name, std::vector<double> const& time,
                          std::vector<double> const& values, cg::Estimate const& mean, int colour) {
   panel.series.push_back({.label = plain(name),
-                          .x = thinned(time, most_points),
-                          .y = thinned(values, most_points),
+                          .x = thinned(time, most_curve_points),
+                          .y = thinned(values, most_curve_points),
                           .y_error = {},
                           .style = SeriesStyle::lines,
                           .colour = colour});

@@ -10,7 +10,6 @@ namespace mesobridge::workflows {
 
 namespace {
 
-constexpr double state_rho = 1150, state_T = 1000;
 constexpr std::uint32_t side = 10; // of the lattice, in particles
 constexpr std::uint64_t instants = 20;
 
@@ -23,10 +22,6 @@ double time_step(double K) {
 /// near zero); EMS does not, and its equilibrium is exact.
 std::string scheme_of(double K) {
   return K < 50 ? "ems" : "ssa";
-}
-
-cg::Estimate scaled(cg::Estimate const& e, double factor) {
-  return {e.mean * factor, e.se * factor, e.n_eff};
 }
 
 /// A structure that still settles sets energy free, which friction passes on to the internal energies: in

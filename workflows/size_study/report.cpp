@@ -8,12 +8,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-constexpr double state_rho = 1150, state_T = 1000;
 constexpr double pressure_target = 0.01, density_target = 0.003, temperature_target = 0.003;
-
-cg::Estimate scaled(cg::Estimate const& e, double unit) {
-  return {e.mean * unit, e.se * unit, e.n_eff};
-}
 
 Json run_json(FluidRun const& run, double P_eos) {
   Json json{{"kernel", run.kernel}, {"K", run.K}, {"treatment", label_of(run.treatment)}};

@@ -6,6 +6,9 @@
 
 namespace mesobridge::workflows {
 
+/// The state of all fluids of the study, of argon.
+inline constexpr double state_rho = 1150, state_T = 1000; // kg/m^3, K
+
 /// How the densities and the centres of mass of the particles are treated.
 enum class Treatment {
   plain,     ///< the thesis: rho_i = sum_j m_j W_ij, each particle with the bulk's equation of state

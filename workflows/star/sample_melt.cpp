@@ -72,7 +72,7 @@ class MeltFiles {
   std::int64_t last_centres_ = -1;
 };
 
-bool run(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
+bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<MeltFiles> files;
   std::optional<Progress> progress;
@@ -106,7 +106,7 @@ bool run(md::MpiWorld const& world, MeltJob const& job, Context const& context) 
 } // namespace
 
 void sample_melt(MeltJob const& job, Context const& context) {
-  sample_stars(job, context, run,
+  sample_stars(job, context, run_melt,
                [](MeltJob const& done) { return melt_summary(done, read_blobs(done.blobs())); });
 }
 

@@ -49,7 +49,7 @@ BlobFile open_file(VacuumJob const& job, double mass, Context const& context) {
       Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}}};
 }
 
-bool run(md::MpiWorld const& world, VacuumJob const& job, Context const& context) {
+bool run_vacuum(md::MpiWorld const& world, VacuumJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<BlobFile> file;
   std::optional<Progress> progress;
@@ -87,7 +87,7 @@ bool run(md::MpiWorld const& world, VacuumJob const& job, Context const& context
   return complete;
 }
 
-Json summary_of(VacuumJob const& job) {
+Json vacuum_summary(VacuumJob const& job) {
   auto const data = read_blobs(job.blobs());
   Json json{{"file", job.blobs().string()},        {"units", "reduced Lennard-Jones"},
             {"star", job.settings.star.name()},    {"ensemble", kind_of(job.settings)},
@@ -125,7 +125,7 @@ std::filesystem::path VacuumJob::summary() const {
 }
 
 void sample_vacuum(VacuumJob const& job, Context const& context) {
-  sample_stars(job, context, run, summary_of);
+  sample_stars(job, context, run_vacuum, vacuum_summary);
 }
 
 std::vector<std::string> words_of(VacuumJob const& job) {

@@ -6,6 +6,7 @@
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/study/rounded_dt.hpp"
 #include "workflows/study/stored_part.hpp"
 #include "workflows/study/tries.hpp"
 #include "workflows/version.hpp"
@@ -107,11 +108,6 @@ double start_time_of(Scene const& scene) {
 double start_dt(Scene const& scene) {
   constexpr double of_fluids = 0.05;
   return of_fluids / tries_of(scene).shorter_start;
-}
-
-double rounded_down(double dt) {
-  double const unit = std::pow(10, std::floor(std::log10(dt)) - 1);
-  return std::floor(dt / unit + 1e-9) * unit;
 }
 
 /// The next time step after one that failed or missed more than it may: the error goes as its square.

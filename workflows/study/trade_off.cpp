@@ -2,6 +2,7 @@
 #include "cg/distribution_error.hpp"
 #include "md/error.hpp"
 #include "sdpd/observe/gamma_law.hpp"
+#include "workflows/study/rounded_dt.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -130,11 +131,6 @@ void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted
       }
     limit.lower(std::sqrt(wanted / bound_of(quadratic(dt, bias))), "the wanted bias");
   }
-}
-
-double rounded_down(double dt) {
-  double const unit = std::pow(10, std::floor(std::log10(dt)) - 1);
-  return std::floor(dt / unit + 1e-9) * unit;
 }
 
 } // namespace

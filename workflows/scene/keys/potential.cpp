@@ -1,5 +1,5 @@
 #include "sdpd/potential/list.hpp"
-#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/parameter_line.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include <fmt/ranges.h>
 
@@ -7,18 +7,6 @@
 
 namespace mesobridge::workflows {
 namespace {
-
-SceneKey key_of(sdpd::Parameter const& parameter) {
-  SceneKey key = Line(
-                     "potential", std::string(parameter.name),
-                     [name = parameter.name](Scene& s) { return &s.potential.parameters[name]; },
-                     fmt::format("{}; {}", parameter.meaning,
-                                 fmt::join(names_with(sdpd::potentials(), parameter.name), ", ")))
-                     .in(parameter.range)
-                     .of<sdpd::Dpde, sdpd::Dpd>();
-  key.dimension = parameter.dimension;
-  return key;
-}
 
 SceneKey key_of_names() {
   std::vector<std::string> names, meanings;
@@ -44,7 +32,8 @@ std::vector<sdpd::Parameter> potential_parameters() {
 std::vector<SceneKey> potential_keys() {
   std::vector<SceneKey> keys{key_of_names()};
   for (auto const& parameter : potential_parameters())
-    keys.push_back(key_of(parameter));
+    keys.push_back(parameter_line("potential", &Scene::potential, parameter, sdpd::potentials())
+                       .of<sdpd::Dpde, sdpd::Dpd>());
   keys.push_back(Line(
                      "potential", "file", [](Scene& s) { return &s.potential.file; },
                      "CSV with columns r,u and perhaps the force f (SI: r_m,u_J,f_N); table")

@@ -1,5 +1,5 @@
 #include "sdpd/kinetics/list.hpp"
-#include "workflows/scene/keys/line.hpp"
+#include "workflows/scene/keys/parameter_line.hpp"
 #include "workflows/scene/keys/tables.hpp"
 #include <fmt/ranges.h>
 
@@ -10,18 +10,6 @@ namespace {
 
 bool reacts(Scene const& scene) {
   return scene.reaction.product.has_value();
-}
-
-SceneKey key_of(sdpd::Parameter const& parameter) {
-  SceneKey key = Line(
-                     "reaction", std::string(parameter.name),
-                     [name = parameter.name](Scene& s) { return &s.reaction.parameters[name]; },
-                     fmt::format("{}; {}", parameter.meaning,
-                                 fmt::join(names_with(sdpd::kinetics(), parameter.name), ", ")))
-                     .in(parameter.range)
-                     .of<sdpd::Sdpd>();
-  key.dimension = parameter.dimension;
-  return key;
 }
 
 SceneKey key_of_kinetics() {
@@ -67,7 +55,8 @@ std::vector<SceneKey> reaction_keys() {
       key_of_kinetics(),
   };
   for (auto const& parameter : kinetics_parameters())
-    keys.push_back(key_of(parameter));
+    keys.push_back(
+        parameter_line("reaction", &Scene::reaction, parameter, sdpd::kinetics()).of<sdpd::Sdpd>());
   std::vector<SceneKey> const rest{
       reaction("weights", &Reaction::weights,
                "of neighbours in second-order kinetics: kernel, W_ij in reduced units, whose sum is nearly "
