@@ -12,7 +12,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct BenchBlobsOptions {
   std::string star = "6-3";
   int molecules = 500, repeats = 40;
   std::int64_t sample_every = 100;
@@ -47,7 +47,7 @@ md::LammpsSession moving(md::MpiWorld const& world, md::StarMeltSettings const& 
   return lammps;
 }
 
-Result run(Options const& options, Context const& context) {
+Result bench_blobs(BenchBlobsOptions const& options, Context const& context) {
   md::MpiWorld const world;
   md::StarMeltSettings settings{.star = md::star_of_name(options.star),
                                 .molecules = options.molecules,
@@ -97,7 +97,7 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, BenchBlobsOptions& options) {
   app.add_option("--star", options.star, "ARMS-BEADS (default 6-3)")->type_name("N-N");
   app.add_option("--molecules", options.molecules, "Number of stars (default 500)");
   app.add_option("--rho", options.rho, "Beads per sigma^3 (default 0.3)");
@@ -109,7 +109,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action bench_blobs_command(CLI::App& app) {
-  return with_options(app, declare, run);
+  return with_options<BenchBlobsOptions>(app, declare, bench_blobs);
 }
 
 } // namespace mesobridge::workflows

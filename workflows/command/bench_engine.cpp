@@ -12,7 +12,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct BenchEngineOptions {
   std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas", kernel = Scene().particles.kernel;
   double neighbours = 62;
   std::uint32_t side = 22, along = 0, fluctuate_every = 1;
@@ -21,7 +21,7 @@ struct Options {
   int steps = 20, repeats = 5;
 };
 
-sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::AnyMethod method) {
+sdpd::SimulationSettings settings_of(BenchEngineOptions const& options, int threads, sdpd::AnyMethod method) {
   return {.method = std::move(method),
           .lattice = {options.side, options.side, options.along > 0 ? options.along : options.side},
           .disorder = 0.15,
@@ -31,7 +31,7 @@ sdpd::SimulationSettings settings_of(Options const& options, int threads, sdpd::
 }
 
 /// Compressed and hot nitromethane that is burnt to a part, and burns so slowly that it stays so.
-sdpd::SimulationSettings burning_nitromethane(Options const& options, int threads) {
+sdpd::SimulationSettings burning_nitromethane(BenchEngineOptions const& options, int threads) {
   auto settings = settings_of(
       options, threads,
       sdpd::Sdpd{.eos = fitting::material("nitromethane").eos,
@@ -48,7 +48,8 @@ sdpd::SimulationSettings burning_nitromethane(Options const& options, int thread
   return settings;
 }
 
-sdpd::SimulationSettings make(std::type_identity<sdpd::Sdpd>, Options const& options, int threads) {
+sdpd::SimulationSettings make(std::type_identity<sdpd::Sdpd>, BenchEngineOptions const& options,
+                              int threads) {
   if (options.eos == "burning-nitromethane")
     return burning_nitromethane(options, threads);
   bool const ideal = options.eos == "ideal-gas";
@@ -67,7 +68,7 @@ sdpd::SimulationSettings make(std::type_identity<sdpd::Sdpd>, Options const& opt
 /// friction that keeps its viscosity about the same when the cut-off, which is the unit of length, reaches
 /// more neighbours.
 template <std::derived_from<sdpd::PairFluid> Method>
-sdpd::SimulationSettings make(std::type_identity<Method>, Options const& options, int threads) {
+sdpd::SimulationSettings make(std::type_identity<Method>, BenchEngineOptions const& options, int threads) {
   double const customary = 3, rho = options.neighbours / (4 * std::numbers::pi / 3);
   sdpd::PairFluid const particles{.mass = 1,
                                   .potential = sdpd::SoftPotential(25 * customary / rho, 1),
@@ -84,7 +85,7 @@ sdpd::SimulationSettings make(std::type_identity<Method>, Options const& options
 }
 
 /// What faces cost that are not periodic.
-Result run_faces(Options const& options, int threads) {
+Result run_faces(BenchEngineOptions const& options, int threads) {
   Json rows;
   sdpd::for_method(options.method, [&](auto type) {
     rows = time_faces(make(type, options, threads), {.steps = options.steps, .repeats = options.repeats});
@@ -100,7 +101,7 @@ Result run_faces(Options const& options, int threads) {
           .text = faces_text(rows)};
 }
 
-Result run(Options const& options, Context& context) {
+Result run(BenchEngineOptions const& options, Context& context) {
   int const threads = context.options.threads.value_or(1);
   if (options.faces)
     return run_faces(options, threads);
@@ -142,7 +143,7 @@ Result run(Options const& options, Context& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, BenchEngineOptions& options) {
   add_choice(app, "--method", options.method, sdpd::method_names(), "what is timed");
   add_bounded(app, "--neighbours", options.neighbours, 5.0, 200.0,
               "within the cut-off, for dpde and dpd; the kernel decides for sdpd");
@@ -169,7 +170,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action bench_engine_command(CLI::App& app) {
-  return with_options(app, declare, run);
+  return with_options<BenchEngineOptions>(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

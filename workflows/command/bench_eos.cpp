@@ -12,7 +12,7 @@ namespace {
 
 constexpr char const* of_mixtures = "mixture";
 
-struct Options {
+struct BenchEosOptions {
   std::string model; ///< empty: all of them
   int states = 4096, repeats = 9;
 };
@@ -66,7 +66,7 @@ double ns_per_call(int n, int repeats, auto&& all) {
 }
 
 template <class E>
-Json times_of(E const& eos, Options const& options, std::uint64_t seed) {
+Json times_of(E const& eos, BenchEosOptions const& options, std::uint64_t seed) {
   auto const states = random_states(eos, options.states, seed);
   std::vector<double> T(states.e.size()), P(T), C(T);
   auto each = [&](auto&& call) {
@@ -120,7 +120,7 @@ MixtureBatches mixture_batches(fitting::Mixture<A, B> const& mixture, int n, std
 }
 
 /// Of the built-in explosive.
-Json times_of_mixtures(Options const& options, std::uint64_t seed, fitting::VolumeLaw law) {
+Json times_of_mixtures(BenchEosOptions const& options, std::uint64_t seed, fitting::VolumeLaw law) {
   fitting::Mixture const mixture(std::get<fitting::Hz>(fitting::material("nitromethane").eos),
                                  std::get<fitting::Jwl>(fitting::material("nitromethane-products").eos), law);
   fitting::MixtureArray const array(mixture);
@@ -148,7 +148,7 @@ void append(Result& result, std::string const& name, Json const& times) {
     result.text += fmt::format("  {:<24} {:10.2f} ns\n", call, time.get<double>());
 }
 
-Result run(Options const& options, Context const& context) {
+Result run(BenchEosOptions const& options, Context const& context) {
   bool const mixtures = options.model == of_mixtures;
   if (!options.model.empty() && !mixtures)
     fitting::material(options.model); // refuses unknown names
@@ -167,7 +167,7 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, BenchEosOptions& options) {
   app.add_option("--model", options.model,
                  "one name of `eos list` instead of all, or `mixture`: nitromethane with its products, from "
                  "nearby states");
@@ -178,7 +178,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action bench_eos_command(CLI::App& app) {
-  return with_options(app, declare, run);
+  return with_options<BenchEosOptions>(app, declare, run);
 }
 
 } // namespace mesobridge::workflows

@@ -16,7 +16,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct CgBlobsOptions {
   std::filesystem::path trajectory, mapping;
   std::optional<double> time_step;
   std::string group;
@@ -114,7 +114,7 @@ class Clock {
 /// Takes the frames one by one into the file, which is gone again if one of them is refused.
 class Conversion {
  public:
-  Conversion(Options const& options, Context const& context)
+  Conversion(CgBlobsOptions const& options, Context const& context)
       : options_(options), context_(context), mapping_(read_mapping(options.mapping)), maker_(mapping_.model),
         path_(context.output_directory("out/blobs") / "blobs.h5"), clock_(options.time_step),
         energies_(maker_.model()), reach_(longest_cutoff(mapping_.model)) {
@@ -215,7 +215,7 @@ class Conversion {
     return result;
   }
 
-  Options const& options_;
+  CgBlobsOptions const& options_;
   Context const& context_;
   Mapping mapping_;
   cg::BlobMaker maker_;
@@ -229,14 +229,14 @@ class Conversion {
   std::vector<std::string> warnings_;
 };
 
-Result blobs(Options const& options, Context const& context) {
+Result blobs(CgBlobsOptions const& options, Context const& context) {
   if (options.time_step)
     require(*options.time_step > 0 && std::isfinite(*options.time_step), "--dt", *options.time_step,
             "must be > 0");
   return Conversion(options, context).run();
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, CgBlobsOptions& options) {
   app.add_option("file", options.trajectory, "LAMMPS text dump with velocities, or H5MD (.h5)")
       ->required()
       ->type_name("FILE");
@@ -253,7 +253,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action cg_blobs_command(CLI::App& app) {
-  return with_options(app, declare, blobs);
+  return with_options<CgBlobsOptions>(app, declare, blobs);
 }
 
 } // namespace mesobridge::workflows

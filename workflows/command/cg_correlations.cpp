@@ -8,14 +8,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct CgCorrelationsOptions {
   std::filesystem::path input;
   std::optional<double> h;
   std::optional<std::size_t> pair_stride;
   cg::CorrelationSettings settings;
 };
 
-Result correlations(Options const& options, Context const& context) {
+Result correlations(CgCorrelationsOptions const& options, Context const& context) {
   auto data = read_blobs(options.input);
   auto settings = options.settings;
   if (!(data.head.rho > 0))
@@ -42,7 +42,7 @@ Result correlations(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, CgCorrelationsOptions& options) {
   auto& s = options.settings;
   app.add_option("file", options.input, "What `md star-melt` or `cg blobs` wrote")
       ->required()
@@ -58,7 +58,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action cg_correlations_command(CLI::App& app) {
-  return with_options(app, declare, correlations);
+  return with_options<CgCorrelationsOptions>(app, declare, correlations);
 }
 
 } // namespace mesobridge::workflows

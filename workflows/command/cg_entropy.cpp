@@ -8,12 +8,12 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct CgEntropyOptions {
   std::optional<std::filesystem::path> melt, vacuum, microcanonical;
   std::size_t order = 3;
 };
 
-Result entropy(Options const& options, Context const& context) {
+Result entropy(CgEntropyOptions const& options, Context const& context) {
   EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
   Provenance provenance{
       .command = context.command_line(), .seed = context.options.seed.value_or(0), .scene = "", .inputs = {}};
@@ -44,7 +44,7 @@ Result entropy(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, CgEntropyOptions& options) {
   app.add_option("--melt", options.melt, "What `md star-melt` wrote")->type_name("FILE.h5");
   app.add_option("--vacuum", options.vacuum, "What `md star-vacuum --T` wrote")->type_name("FILE.h5");
   app.add_option("--vacuum-nve", options.microcanonical,
@@ -56,7 +56,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action cg_entropy_command(CLI::App& app) {
-  return with_options(app, declare, entropy);
+  return with_options<CgEntropyOptions>(app, declare, entropy);
 }
 
 } // namespace mesobridge::workflows

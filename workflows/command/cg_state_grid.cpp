@@ -49,7 +49,7 @@ void declare(CLI::App& app, std::filesystem::path& input) {
 } // namespace
 
 Command::Action cg_state_grid_command(CLI::App& app) {
-  return with_options(app, declare, state_grid);
+  return with_options<std::filesystem::path>(app, declare, state_grid);
 }
 
 } // namespace mesobridge::workflows

@@ -13,7 +13,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
   std::optional<std::string> drawing;
@@ -42,7 +42,7 @@ void put_time_step(Result& result, sdpd::SimulationSettings const& settings, Uni
                              settings.dt, settings.dt * units.time, system == UnitSystem::lj ? "tau" : "s");
 }
 
-Result check(Options const& options, Context const& context) {
+Result check(CheckOptions const& options, Context const& context) {
   if (options.keys)
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
@@ -88,7 +88,7 @@ Result check(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, CheckOptions& options) {
   app.add_option("scene", options.scene, "The scene file")->type_name("SCENE.toml");
   app.add_option("--set", options.overrides, "Replace a value: section.key=value")
       ->type_name("KEY=VALUE")
@@ -101,7 +101,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action check_command(CLI::App& app) {
-  return with_options(app, declare, check);
+  return with_options<CheckOptions>(app, declare, check);
 }
 
 } // namespace mesobridge::workflows

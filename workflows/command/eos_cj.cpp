@@ -63,7 +63,7 @@ void declare(CLI::App& app, DetonationOptions& options) {
 } // namespace
 
 Command::Action eos_cj_command(CLI::App& app) {
-  return with_options(app, declare, chapman_jouguet);
+  return with_options<DetonationOptions>(app, declare, chapman_jouguet);
 }
 
 } // namespace mesobridge::workflows

@@ -9,14 +9,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosCrussardOptions {
   DetonationOptions detonation;
   ShockOptions shock;
   std::vector<std::string> slices;
 };
 
 /// Throws InputError where slices cannot be drawn.
-std::vector<SliceStates> slices_of(Options const& options, Context const& context, bool reduced) {
+std::vector<SliceStates> slices_of(EosCrussardOptions const& options, Context const& context, bool reduced) {
   std::vector<SliceStates> slices;
   if (options.slices.empty())
     return slices;
@@ -30,7 +30,7 @@ std::vector<SliceStates> slices_of(Options const& options, Context const& contex
   return slices;
 }
 
-Result crussard(Options const& options, Context const& context) {
+Result crussard(EosCrussardOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const explosive = workflows::explosive(options.detonation, context);
@@ -64,7 +64,7 @@ Result crussard(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosCrussardOptions& options) {
   options.detonation.declare(app);
   options.shock.declare(app);
   app.add_option(
@@ -77,7 +77,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_crussard_command(CLI::App& app) {
-  return with_options(app, declare, crussard);
+  return with_options<EosCrussardOptions>(app, declare, crussard);
 }
 
 } // namespace mesobridge::workflows

@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosEvalOptions {
   EosOptions eos;
   double rho = 0;
   std::optional<double> T, e, s;
@@ -23,7 +23,7 @@ struct Line {
   std::optional<double> value;
 };
 
-fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
+fitting::EosState state_of(fitting::AnyEos const& any, EosEvalOptions const& options) {
   int const given = int{options.T.has_value()} + int{options.e.has_value()} + int{options.s.has_value()};
   require(given == 1, "options --T, --e, --s", given, "exactly one of them must be given");
   require_positive_number("--rho", options.rho);
@@ -41,7 +41,7 @@ fitting::EosState state_of(fitting::AnyEos const& any, Options const& options) {
       any);
 }
 
-Result eval(Options const& options, Context const& context) {
+Result eval(EosEvalOptions const& options, Context const& context) {
   auto const model = options.eos.load();
   auto const state = state_of(model.eos, options);
   bool const reduced = std::visit([](auto const& eos) { return eos.boltzmann() == 1; }, model.eos);
@@ -72,7 +72,7 @@ Result eval(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosEvalOptions& options) {
   options.eos.declare(app);
   app.add_option("--rho", options.rho, "Density, in the model's units (SI: kg/m^3)")->required();
   app.add_option("--T", options.T, "Temperature (SI: K)");
@@ -83,7 +83,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_eval_command(CLI::App& app) {
-  return with_options(app, declare, eval);
+  return with_options<EosEvalOptions>(app, declare, eval);
 }
 
 } // namespace mesobridge::workflows

@@ -8,12 +8,12 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosExplosionOptions {
   ReactionOptions explosive;
   double lambda = 1;
 };
 
-Result explosion(Options const& options, Context const& context) {
+Result explosion(EosExplosionOptions const& options, Context const& context) {
   require(options.lambda >= 0 && options.lambda <= 1, "--lambda", options.lambda, "must lie in [0, 1]");
   auto const fluid = options.explosive.fluid(context);
   auto const& rest = fluid.at_rest;
@@ -28,7 +28,7 @@ Result explosion(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosExplosionOptions& options) {
   options.explosive.declare(app);
   app.add_option("--lambda", options.lambda, "Progress of the reaction, 0 to 1")->capture_default_str();
   app.description("The state that an explosive comes to when it reacts at constant volume and loses no heat: "
@@ -38,7 +38,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_explosion_command(CLI::App& app) {
-  return with_options(app, declare, explosion);
+  return with_options<EosExplosionOptions>(app, declare, explosion);
 }
 
 } // namespace mesobridge::workflows

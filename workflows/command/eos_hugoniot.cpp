@@ -9,7 +9,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosHugoniotOptions {
   EosOptions eos;
   InitialState initial;
   ShockOptions shock;
@@ -36,7 +36,7 @@ Plot hugoniot_plot(NamedFluid const& model, fitting::Hugoniot const& hugoniot,
   return plot;
 }
 
-Result hugoniot(Options const& options, Context const& context) {
+Result hugoniot(EosHugoniotOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const model = load_fluid(options.eos);
@@ -63,7 +63,7 @@ Result hugoniot(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosHugoniotOptions& options) {
   options.eos.declare(app);
   options.initial.declare(app);
   options.shock.declare(app);
@@ -72,7 +72,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_hugoniot_command(CLI::App& app) {
-  return with_options(app, declare, hugoniot);
+  return with_options<EosHugoniotOptions>(app, declare, hugoniot);
 }
 
 } // namespace mesobridge::workflows

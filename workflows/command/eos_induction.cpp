@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosInductionOptions {
   ReactionOptions explosive;
   KineticsOptions kinetics;
   std::optional<double> v_P;
@@ -24,7 +24,8 @@ Columns times(fitting::ThermalExplosion const& explosion) {
   return columns;
 }
 
-void put(Result& result, Columns const& columns, double rho, fitting::ThermalExplosion const& explosion) {
+void put_explosion(Result& result, Columns const& columns, double rho,
+                   fitting::ThermalExplosion const& explosion) {
   put_first_row(result.json, columns, false);
   put_first_row(result.json["exploded"], mixture_columns(rho, explosion.end), false);
   result.text = lines_text(columns, false) +
@@ -32,7 +33,7 @@ void put(Result& result, Columns const& columns, double rho, fitting::ThermalExp
                             explosion.end.T, explosion.end.P, rho);
 }
 
-Result induction(Options const& options, Context const& context) {
+Result induction(EosInductionOptions const& options, Context const& context) {
   auto const fluid = options.explosive.fluid(context);
   auto const kinetics = options.kinetics.kinetics(fluid.at_rest.rho);
   Result result;
@@ -40,7 +41,7 @@ Result induction(Options const& options, Context const& context) {
   if (!options.v_P) {
     auto const& rest = fluid.at_rest;
     auto const explosion = fitting::thermal_explosion(fluid, rest.rho, rest.e, kinetics);
-    put(result, times(explosion), rest.rho, explosion);
+    put_explosion(result, times(explosion), rest.rho, explosion);
     return result;
   }
   require_positive_number("--vp", *options.v_P);
@@ -50,12 +51,12 @@ Result induction(Options const& options, Context const& context) {
   columns.push_back({"super_detonation", "_m_s", "m/s", {found.super_detonation}});
   columns.push_back({"overtaken_at", "_s", "s", {found.time}});
   columns.push_back({"overtaken_at", "_m", "m", {found.place}});
-  put(result, columns, found.shock.behind.rho, found.explosion);
+  put_explosion(result, columns, found.shock.behind.rho, found.explosion);
   put_first_row(result.json["shocked"], shock_columns({found.shock}), false);
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosInductionOptions& options) {
   options.explosive.declare(app);
   options.kinetics.declare(app);
   app.add_option(
@@ -74,7 +75,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_induction_command(CLI::App& app) {
-  return with_options(app, declare, induction);
+  return with_options<EosInductionOptions>(app, declare, induction);
 }
 
 } // namespace mesobridge::workflows

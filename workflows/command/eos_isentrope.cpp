@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosIsentropeOptions {
   EosOptions eos;
   InitialState initial;
   std::optional<double> rho, P;
@@ -54,7 +54,7 @@ Plot isentrope_plot(NamedFluid const& model, Columns const& columns) {
   return plot;
 }
 
-Result isentrope(Options const& options, Context const& context) {
+Result isentrope(EosIsentropeOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   require(options.rho.has_value() != options.P.has_value(), "options --rho, --P",
@@ -79,7 +79,7 @@ Result isentrope(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosIsentropeOptions& options) {
   options.eos.declare(app);
   options.initial.declare(app);
   app.add_option("--rho", options.rho, "Density to go to (SI: kg/m^3)");
@@ -90,7 +90,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_isentrope_command(CLI::App& app) {
-  return with_options(app, declare, isentrope);
+  return with_options<EosIsentropeOptions>(app, declare, isentrope);
 }
 
 } // namespace mesobridge::workflows

@@ -12,7 +12,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosPlotOptions {
   std::vector<std::string> models;
   std::vector<double> isotherms;
   std::optional<double> rho0, T0;
@@ -22,7 +22,7 @@ struct Options {
 
 /// The points of a curve that lie inside the model.
 template <class State>
-Series curve(std::string const& label, Options const& options, bool reduced, SeriesStyle style,
+Series curve(std::string const& label, EosPlotOptions const& options, bool reduced, SeriesStyle style,
              State&& state) {
   std::vector<fitting::EosState> states;
   for (int i = 0; i <= options.points; ++i) {
@@ -39,7 +39,8 @@ Series curve(std::string const& label, Options const& options, bool reduced, Ser
   return series;
 }
 
-std::vector<Series> curves_of(NamedFluid const& model, Options const& options, Context const& context) {
+std::vector<Series> curves_of(NamedFluid const& model, EosPlotOptions const& options,
+                              Context const& context) {
   std::vector<Series> all;
   for (double const T : options.isotherms)
     all.push_back(curve(fmt::format("{}, T = {:g}{}", model.name, T, model.reduced ? "" : " K"), options,
@@ -57,7 +58,7 @@ std::vector<Series> curves_of(NamedFluid const& model, Options const& options, C
   return all;
 }
 
-Plot eos_plot(std::vector<NamedFluid> const& models, Options const& options, Context const& context) {
+Plot eos_plot(std::vector<NamedFluid> const& models, EosPlotOptions const& options, Context const& context) {
   bool const reduced = models.front().reduced;
   Plot plot{.name = "eos",
             .title = "Equations of state",
@@ -79,7 +80,7 @@ Plot eos_plot(std::vector<NamedFluid> const& models, Options const& options, Con
   return plot;
 }
 
-void validate(Options const& options, Context const& context) {
+void validate(EosPlotOptions const& options, Context const& context) {
   require(context.options.output.has_value(), "-o", "", "a file must be given");
   require(curve_file(*context.options.output) != CurveFile::csv, "-o", context.options.output->string(),
           "must end in .svg or .html (`eos table` writes numbers)");
@@ -96,7 +97,7 @@ void validate(Options const& options, Context const& context) {
     require_positive_number("--T", T);
 }
 
-Result plot(Options const& options, Context const& context) {
+Result plot(EosPlotOptions const& options, Context const& context) {
   validate(options, context);
   std::vector<NamedFluid> models;
   for (auto const& name : options.models)
@@ -109,7 +110,7 @@ Result plot(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosPlotOptions& options) {
   app.add_option("--model", options.models, "Names of `eos list`, or models' files")
       ->required()
       ->type_name("NAME|FILE");
@@ -124,7 +125,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_plot_command(CLI::App& app) {
-  return with_options(app, declare, plot);
+  return with_options<EosPlotOptions>(app, declare, plot);
 }
 
 } // namespace mesobridge::workflows

@@ -9,7 +9,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosProfileOptions {
   EosOptions eos;
   InitialState initial;
   double v_P = 0;
@@ -48,7 +48,7 @@ Plot profile_plot(NamedFluid const& model, fitting::ShockProfile const& profile)
                  Panel{.series = {temperature}, .y = {.label = r ? "T*" : "T [K]"}, .legend = Legend::none}}};
 }
 
-Result profile(Options const& options, Context const& context) {
+Result profile(EosProfileOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const model = load_fluid(options.eos);
@@ -70,7 +70,7 @@ Result profile(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosProfileOptions& options) {
   options.eos.declare(app);
   options.initial.declare(app);
   app.add_option("--vp", options.v_P, "Velocity of the piston (SI: m/s)")->required();
@@ -82,7 +82,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_profile_command(CLI::App& app) {
-  return with_options(app, declare, profile);
+  return with_options<EosProfileOptions>(app, declare, profile);
 }
 
 } // namespace mesobridge::workflows

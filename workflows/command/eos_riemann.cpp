@@ -30,7 +30,7 @@ struct Side {
   }
 };
 
-struct Options {
+struct EosRiemannOptions {
   Side left, right;
   int points = 400;
 };
@@ -84,7 +84,7 @@ Json wave_json(fitting::RiemannSolution::Speeds const& speeds, bool shock, bool 
       {"kind", shock ? "shock" : "rarefaction"}, {"head" + unit, speeds.head}, {"tail" + unit, speeds.tail}};
 }
 
-Result riemann(Options const& options, Context const& context) {
+Result riemann(EosRiemannOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   require(options.points >= 2 && options.points <= 100000, "--points", options.points,
@@ -113,7 +113,7 @@ Result riemann(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosRiemannOptions& options) {
   options.left.declare(app, "left");
   options.right.declare(app, "right");
   app.add_option("--points", options.points, "Points of the curve");
@@ -122,7 +122,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_riemann_command(CLI::App& app) {
-  return with_options(app, declare, riemann);
+  return with_options<EosRiemannOptions>(app, declare, riemann);
 }
 
 } // namespace mesobridge::workflows

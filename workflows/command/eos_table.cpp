@@ -23,13 +23,13 @@ struct Range {
   double at(int i) const { return i + 1 == points ? max : min + (max - min) * i / (points - 1); }
 };
 
-struct Options {
+struct EosTableOptions {
   EosOptions eos;
   Range rho{.points = 50}, T{.points = 50};
 };
 
 /// Density runs slowest. The square of the sound speed is there for every state, its root not.
-Columns table_columns(NamedFluid const& model, Options const& options) {
+Columns table_columns(NamedFluid const& model, EosTableOptions const& options) {
   std::vector<fitting::EosState> states;
   Column square{"sound_speed_squared", "_m2_s2", "m^2/s^2", {}};
   for (int i = 0; i < options.rho.points; ++i)
@@ -44,7 +44,7 @@ Columns table_columns(NamedFluid const& model, Options const& options) {
 }
 
 /// Every quantity that all states have as a dataset [density][temperature], its unit as an attribute.
-void write_hdf5(Columns const& columns, NamedFluid const& model, Options const& options,
+void write_hdf5(Columns const& columns, NamedFluid const& model, EosTableOptions const& options,
                 Context const& context) {
   Store store(*context.options.output, Store::Mode::create);
   std::vector<double> rho, T;
@@ -72,7 +72,7 @@ void write_hdf5(Columns const& columns, NamedFluid const& model, Options const& 
   store.close();
 }
 
-Result table(Options const& options, Context const& context) {
+Result table(EosTableOptions const& options, Context const& context) {
   require(context.options.output.has_value(), "-o", "", "a file must be given: *.csv or *.h5");
   auto const& file = *context.options.output;
   require(file.extension() == ".csv" || file.extension() == ".h5", "-o", file.string(),
@@ -103,7 +103,7 @@ Result table(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosTableOptions& options) {
   options.eos.declare(app);
   app.add_option("--rho-min", options.rho.min, "Least density (SI: kg/m^3)")->required();
   app.add_option("--rho-max", options.rho.max, "Greatest density (SI: kg/m^3)")->required();
@@ -116,7 +116,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_table_command(CLI::App& app) {
-  return with_options(app, declare, table);
+  return with_options<EosTableOptions>(app, declare, table);
 }
 
 } // namespace mesobridge::workflows

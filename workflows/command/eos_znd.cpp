@@ -9,7 +9,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct EosZndOptions {
   ReactionOptions explosive;
   KineticsOptions kinetics;
   std::optional<double> D;
@@ -70,7 +70,7 @@ Plot zone_plot(std::string const& title, std::vector<fitting::ZonePoint> const& 
                      Panel{.series = {lambda}, .y = {.label = "lambda"}, .legend = Legend::none}}};
 }
 
-Result znd(Options const& options, Context const& context) {
+Result znd(EosZndOptions const& options, Context const& context) {
   if (context.options.output)
     curve_file(*context.options.output);
   auto const fluid = options.explosive.fluid(context);
@@ -116,7 +116,7 @@ Result znd(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, EosZndOptions& options) {
   options.explosive.declare(app);
   options.kinetics.declare(app);
   app.add_option(
@@ -136,7 +136,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action eos_znd_command(CLI::App& app) {
-  return with_options(app, declare, znd);
+  return with_options<EosZndOptions>(app, declare, znd);
 }
 
 } // namespace mesobridge::workflows

@@ -12,7 +12,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct FitDpdeOptions {
   std::filesystem::path file;
   std::string route;
   std::size_t order = 3;
@@ -33,7 +33,7 @@ Json json_of(fitting::DpdeFit const& fit) {
   return json;
 }
 
-Result fit_dpde(Options const& options, Context const& context) {
+Result fit_dpde(FitDpdeOptions const& options, Context const& context) {
   auto data = read_blobs(options.file);
   bool const melt = data.head.kind == "melt";
   auto const name = data.head.name;
@@ -68,7 +68,7 @@ Result fit_dpde(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, FitDpdeOptions& options) {
   app.add_option("file", options.file, "What `md star-melt` or `md star-vacuum --T` wrote")
       ->required()
       ->type_name("FILE.h5");
@@ -83,7 +83,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action fit_dpde_command(CLI::App& app) {
-  return with_options(app, declare, fit_dpde);
+  return with_options<FitDpdeOptions>(app, declare, fit_dpde);
 }
 
 } // namespace mesobridge::workflows

@@ -14,14 +14,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct FitLjBwrOptions {
   std::filesystem::path data;
   std::string prior = "published", units = "lj";
   std::optional<double> prior_width;
   fitting::LjBwrFitOptions fit;
 };
 
-Result fit(Options const& options, Context const& context) {
+Result fit(FitLjBwrOptions const& options, Context const& context) {
   auto settings = options.fit;
   settings.prior = options.prior == "published" ? fitting::LjBwrPrior::published : fitting::LjBwrPrior::none;
   settings.prior_width = options.prior_width;
@@ -54,7 +54,7 @@ Result fit(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, FitLjBwrOptions& options) {
   app.add_option("data", options.data, "What `cg state-grid` wrote")->required()->type_name("DATA.h5");
   app.add_option("--prior", options.prior, "Start from the 1993 set and correct it, or from nothing")
       ->check(CLI::IsMember({"published", "none"}));
@@ -74,7 +74,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action fit_lj_bwr_command(CLI::App& app) {
-  return with_options(app, declare, fit);
+  return with_options<FitLjBwrOptions>(app, declare, fit);
 }
 
 } // namespace mesobridge::workflows

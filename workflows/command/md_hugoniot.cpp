@@ -22,7 +22,7 @@ constexpr char const* meaning = "equilibrium states of even compression: behind 
                                 "has relaxed, without an elastic "
                                 "precursor; solid or liquid as a run of picoseconds from this start stays";
 
-struct Options {
+struct MdHugoniotOptions {
   MetalOptions metal;
   cg::HugoniotRequest request;
   bool hugoniostat = false;
@@ -33,7 +33,7 @@ cg::Phase start_of(md::MetalSettings const& settings) {
 }
 
 /// Refuses what cannot be sampled before any rank starts.
-void check(cg::HugoniotRequest request, md::MetalSettings const& settings) {
+void check_request(cg::HugoniotRequest request, md::MetalSettings const& settings) {
   md::check({.rho = request.rho0.value_or(md::stated_density(settings.potential)), .T = request.T0},
             settings);
   for (double compression : request.compressions)
@@ -141,7 +141,7 @@ Result curve(MetalJob const& job, cg::HugoniotRequest const& request, bool hugon
   return result;
 }
 
-Result hugoniot(Options const& options, Context const& context) {
+Result sample_hugoniot(MdHugoniotOptions const& options, Context const& context) {
   MetalJob job{.settings = settings_of(options.metal, context), .runs = {}, .resume = options.metal.resume};
   auto request = options.request;
   if (request.compressions.empty() && request.v_P.empty())
@@ -151,7 +151,7 @@ Result hugoniot(Options const& options, Context const& context) {
   auto const directory = context.output_directory("out/hugoniot");
   job.runs = directory / "hugoniot-runs.h5";
   job.settings.log_file = directory / "lammps.log";
-  check(request, job.settings);
+  check_request(request, job.settings);
   if (!job.resume)
     keep_earlier_results(context, options.metal.started_by_ourselves, directory,
                          {job.runs, directory / "hugoniot.h5", directory / "hugoniot.csv",
@@ -161,7 +161,7 @@ Result hugoniot(Options const& options, Context const& context) {
   return curve(job, request, options.hugoniostat, context);
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdHugoniotOptions& options) {
   add_options(app, options.metal);
   app.add_option("--T0", options.request.T0, "Temperature before the shock [K]");
   app.add_option("--rho0", options.request.rho0, "Density before it [kg/m^3] (default: of zero pressure)")
@@ -177,7 +177,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_hugoniot_command(CLI::App& app) {
-  return with_options(app, declare, hugoniot);
+  return with_options<MdHugoniotOptions>(app, declare, sample_hugoniot);
 }
 
 } // namespace mesobridge::workflows

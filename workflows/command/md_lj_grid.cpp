@@ -11,7 +11,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct MdLjGridOptions {
   std::string preset = "quick";
   std::optional<int> atoms, densities, temperatures;
   std::optional<std::int64_t> sampling_steps;
@@ -20,7 +20,7 @@ struct Options {
   bool started_by_ourselves = false;
 };
 
-LjGridJob job_of(Options const& options, Context const& context) {
+LjGridJob job_of(MdLjGridOptions const& options, Context const& context) {
   auto const preset = preset_of(options.preset);
   int const edge = static_cast<int>(std::lround(std::sqrt(md::default_lj_grid(preset).size())));
   LjGridJob job{.states = md::lj_grid(options.region, options.densities.value_or(edge),
@@ -39,7 +39,7 @@ LjGridJob job_of(Options const& options, Context const& context) {
   return job;
 }
 
-Result lj_grid(Options const& options, Context const& context) {
+Result lj_grid(MdLjGridOptions const& options, Context const& context) {
   auto const job = job_of(options, context); // before any rank starts: bad input is told once
   keep_earlier_results(context, options.started_by_ourselves, job.directory,
                        {job.directory / "lj-grid.h5", job.settings.log_file});
@@ -58,7 +58,7 @@ Result lj_grid(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdLjGridOptions& options) {
   add_preset(app, options.preset, "quick (minutes), standard (an hour) or paper");
   app.add_option("--atoms", options.atoms, "Atoms of one state, 4 n^3")->type_name("INT");
   app.add_option("--cutoff", options.cutoff, "Cut-off of the potential [sigma]")->type_name("REAL");
@@ -75,7 +75,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_lj_grid_command(CLI::App& app) {
-  return with_options(app, declare, lj_grid);
+  return with_options<MdLjGridOptions>(app, declare, lj_grid);
 }
 
 } // namespace mesobridge::workflows

@@ -14,14 +14,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct MdMetalGridOptions {
   MetalOptions metal;
   std::vector<double> rho, T;
 };
 
 /// Densities from a crystal stretched by a hundredth to one compressed by a quarter; temperatures to several
 /// times the melting point of most metals.
-std::vector<md::MetalState> states_of(Options const& options, md::MetalSettings const& settings) {
+std::vector<md::MetalState> states_of(MdMetalGridOptions const& options, md::MetalSettings const& settings) {
   auto rho = options.rho, T = options.T;
   if (rho.empty())
     for (double part : {0.97, 1.0, 1.05, 1.12, 1.2})
@@ -72,7 +72,7 @@ Result table(MetalJob const& job, Context const& context) {
   return result;
 }
 
-Result metal_grid(Options const& options, Context const& context) {
+Result metal_grid(MdMetalGridOptions const& options, Context const& context) {
   MetalJob job{.settings = settings_of(options.metal, context), .runs = {}, .resume = options.metal.resume};
   auto const states = states_of(options, job.settings); // before any rank starts: bad input is told once
   auto const directory = context.output_directory("out/metal-grid");
@@ -87,7 +87,7 @@ Result metal_grid(Options const& options, Context const& context) {
   return table(job, context);
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdMetalGridOptions& options) {
   add_options(app, options.metal);
   add_list(app, "--rho", options.rho, "Densities [kg/m^3] (default: 0.97 ... 1.2 times the crystal's)");
   add_list(app, "--T", options.T, "Temperatures [K] (default: 300, 700, 1200)");
@@ -96,7 +96,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_metal_grid_command(CLI::App& app) {
-  return with_options(app, declare, metal_grid);
+  return with_options<MdMetalGridOptions>(app, declare, metal_grid);
 }
 
 } // namespace mesobridge::workflows

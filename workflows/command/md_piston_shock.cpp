@@ -18,7 +18,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct MdPistonShockOptions {
   std::string preset = "quick", metal, element, lattice;
   std::optional<double> rho0, T0, v_P; // SI
   std::optional<std::string> hugoniot;
@@ -52,14 +52,15 @@ std::int64_t usual_steps(Ahead const& ahead, md::LjPistonSettings const& setting
 
 /// What both kinds of runs may be told otherwise.
 template <class Settings>
-void take_sizes(Settings& settings, Options const& options, Context const& context) {
+void take_sizes(Settings& settings, MdPistonShockOptions const& options, Context const& context) {
   settings.cells_across = options.cells_across.value_or(settings.cells_across);
   settings.cells_along = options.cells_along.value_or(settings.cells_along);
   settings.seed = context.options.seed.value_or(settings.seed);
   md::check(settings);
 }
 
-Plan argon_plan(Options const& options, Context const& context, std::filesystem::path const& log_file) {
+Plan argon_plan(MdPistonShockOptions const& options, Context const& context,
+                std::filesystem::path const& log_file) {
   for (auto const& [name, value] : {std::pair("--element", options.element), {"--lattice", options.lattice}})
     require(value.empty(), name, value, "needs --metal");
   require(!options.hugoniot, "--hugoniot", options.hugoniot.value_or(""), "needs --metal");
@@ -73,7 +74,8 @@ Plan argon_plan(Options const& options, Context const& context, std::filesystem:
   return {{.settings = settings, .steps = steps, .directory = {}}, ahead};
 }
 
-Plan metal_plan(Options const& options, Context const& context, std::filesystem::path const& log_file) {
+Plan metal_plan(MdPistonShockOptions const& options, Context const& context,
+                std::filesystem::path const& log_file) {
   require(!options.cutoff, "--cutoff", options.cutoff.value_or(0),
           "must not be given: the potential has its own");
   auto const potential = md::read_metal_potential(options.metal, options.element);
@@ -95,7 +97,7 @@ Plan metal_plan(Options const& options, Context const& context, std::filesystem:
   return {{.settings = settings, .steps = steps, .directory = {}}, ahead};
 }
 
-Plan plan_of(Options const& options, Context const& context) {
+Plan plan_of(MdPistonShockOptions const& options, Context const& context) {
   auto const directory = context.output_directory("out/piston-shock");
   auto const log_file = directory / "lammps.log";
   auto plan =
@@ -108,7 +110,7 @@ Plan plan_of(Options const& options, Context const& context) {
 }
 
 /// The shock of argon by the equations of state that know the fluid there; none elsewhere, and for metals.
-std::vector<NamedShock> equations(Options const& options, Ahead const& ahead) {
+std::vector<NamedShock> equations(MdPistonShockOptions const& options, Ahead const& ahead) {
   if (!options.metal.empty())
     return {};
   try {
@@ -137,7 +139,7 @@ OutputUnits units_of(Ahead const& ahead) {
   return {{1, ahead.mass, ahead.rho0, ahead.T0, k_B}, UnitSystem::SI};
 }
 
-Report report_of(Options const& options, Ahead const& ahead, PistonData const& data,
+Report report_of(MdPistonShockOptions const& options, Ahead const& ahead, PistonData const& data,
                  std::optional<ShockOfRun> const& shock, std::vector<NamedShock> const& exact,
                  Provenance provenance) {
   bool const metal = !options.metal.empty();
@@ -170,7 +172,7 @@ Report report_of(Options const& options, Ahead const& ahead, PistonData const& d
   return report;
 }
 
-Result piston_shock(Options const& options, Context const& context) {
+Result piston_shock(MdPistonShockOptions const& options, Context const& context) {
   auto const [job, ahead] = plan_of(options, context); // before any rank starts: bad input is told once
   std::optional<HugoniotReference> reference;
   if (options.hugoniot)
@@ -208,7 +210,7 @@ Result piston_shock(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdPistonShockOptions& options) {
   add_preset(app, options.preset, "quick (minutes), standard (a quarter of an hour) or paper");
   app.add_option(
          "--metal", options.metal,
@@ -241,7 +243,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_piston_shock_command(CLI::App& app) {
-  return with_options(app, declare, piston_shock);
+  return with_options<MdPistonShockOptions>(app, declare, piston_shock);
 }
 
 } // namespace mesobridge::workflows

@@ -13,7 +13,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct MdStarMeltOptions {
   std::string star = "6-3", preset;
   md::StarMeltSettings settings;
   bool resume = false;
@@ -22,7 +22,7 @@ struct Options {
 };
 
 /// The preset's first melt, where the command line says nothing else.
-void fill_in(Options& options) {
+void fill_in(MdStarMeltOptions& options) {
   if (options.preset.empty())
     return;
   auto const plan = chapter_plan(preset_of(options.preset), 1);
@@ -42,7 +42,7 @@ void fill_in(Options& options) {
   fill("--sample-every", s.sample_every, usual.sample_every);
 }
 
-Result star_melt(Options options, Context const& context) {
+Result star_melt(MdStarMeltOptions options, Context const& context) {
   fill_in(options);
   MeltJob job{.settings = options.settings, .resume = options.resume};
   job.settings.star = md::star_of_name(options.star);
@@ -62,7 +62,7 @@ Result star_melt(Options options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdStarMeltOptions& options) {
   options.app = &app;
   auto& s = options.settings;
   add_preset(app, options.preset, "The 6-3 melt of chapter 3: quick (minutes), standard or paper");
@@ -82,7 +82,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_star_melt_command(CLI::App& app) {
-  return with_options(app, declare, star_melt);
+  return with_options<MdStarMeltOptions>(app, declare, star_melt);
 }
 
 } // namespace mesobridge::workflows

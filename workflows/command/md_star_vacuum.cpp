@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct MdStarVacuumOptions {
   std::string star = "6-3";
   md::StarVacuumSettings settings;
   std::vector<double> temperatures, energies;
@@ -31,7 +31,7 @@ std::string text_of(Json const& summary) {
   return text + summary["file"].get<std::string>();
 }
 
-Result star_vacuum(Options const& options, Context const& context) {
+Result star_vacuum(MdStarVacuumOptions const& options, Context const& context) {
   VacuumJob job{.settings = options.settings, .resume = options.resume};
   auto& s = job.settings;
   s.star = md::star_of_name(options.star);
@@ -56,7 +56,7 @@ Result star_vacuum(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, MdStarVacuumOptions& options) {
   auto& s = options.settings;
   app.add_option("--star", options.star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
   auto* const T = app.add_option("--T", options.temperatures,
@@ -74,7 +74,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action md_star_vacuum_command(CLI::App& app) {
-  return with_options(app, declare, star_vacuum);
+  return with_options<MdStarVacuumOptions>(app, declare, star_vacuum);
 }
 
 } // namespace mesobridge::workflows

@@ -81,7 +81,7 @@ void declare(CLI::App& app, std::string& name) {
 } // namespace
 
 Command::Action new_command(CLI::App& app) {
-  return with_options(app, declare, write_scene);
+  return with_options<std::string>(app, declare, write_scene);
 }
 
 } // namespace mesobridge::workflows

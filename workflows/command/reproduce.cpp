@@ -10,7 +10,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct ReproduceCommandOptions {
   std::string name, preset = "quick";
 };
 
@@ -34,7 +34,7 @@ Reproduction const& find(std::string const& name) {
                                did_you_mean(name, names)));
 }
 
-Result reproduce(Options const& options, Context const& context) {
+Result reproduce(ReproduceCommandOptions const& options, Context const& context) {
   if (options.name == "list")
     return list_all();
   auto const& wanted = find(options.name);
@@ -56,7 +56,7 @@ Result reproduce(Options const& options, Context const& context) {
   return with_report(directory, std::move(summary), found.report.html());
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, ReproduceCommandOptions& options) {
   app.add_option("name", options.name, "list, or a name of that list")->required();
   add_preset(app, options.preset, "how long to work: a minute or two, an hour, a day");
 }
@@ -64,7 +64,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action reproduce_command(CLI::App& app) {
-  return with_options(app, declare, reproduce);
+  return with_options<ReproduceCommandOptions>(app, declare, reproduce);
 }
 
 } // namespace mesobridge::workflows

@@ -18,7 +18,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct RunCommandOptions {
   std::string scene;
   std::vector<std::string> set;
   bool resume = false, force = false, no_report = false, frames = false, verbose = false;
@@ -48,7 +48,8 @@ Scene with_time_step(Scene const& scene, RunFolder const& folder, Context const&
 }
 
 /// Who watches the progress on a terminal sees the lines of thermodynamics when he asks for them.
-std::function<void(std::string const&)> thermo_printer(Options const& options, Context const& context) {
+std::function<void(std::string const&)> thermo_printer(RunCommandOptions const& options,
+                                                       Context const& context) {
   bool const bar = Progress::style_of_stderr() == Progress::Style::bar;
   if (!options.verbose && (bar || context.options.quiet || context.reports))
     return {};
@@ -76,8 +77,8 @@ std::optional<PastRun> past_of(RunFolder const& folder, Scene& scene, Context co
   return past_run(std::move(stored));
 }
 
-RunResult run_in(RunFolder const& folder, Scene scene, Options const& options, Context const& context,
-                 TimeLimit const& limit) {
+RunResult run_in(RunFolder const& folder, Scene scene, RunCommandOptions const& options,
+                 Context const& context, TimeLimit const& limit) {
   auto const claimed = claim(folder, {options.scene, options.resume, options.force});
   if (!claimed.message.empty())
     context.log->info(claimed.message);
@@ -123,7 +124,7 @@ Result result_of(RunResult const& done, std::filesystem::path const& to_look_at,
   return result;
 }
 
-Result run(Options const& options, Context& context) {
+Result run_scene_file(RunCommandOptions const& options, Context& context) {
   TimeLimit const limit(options.max_hours);
   auto overrides = options.set;
   if (context.options.seed)
@@ -154,7 +155,7 @@ Result run(Options const& options, Context& context) {
   }
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, RunCommandOptions& options) {
   add_scene(app, options.scene, options.set);
   auto* resume = app.add_flag(
       "--resume", options.resume,
@@ -179,7 +180,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action run_command(CLI::App& app) {
-  return with_options(app, declare, run);
+  return with_options<RunCommandOptions>(app, declare, run_scene_file);
 }
 
 } // namespace mesobridge::workflows

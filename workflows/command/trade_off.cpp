@@ -12,7 +12,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct TradeOffOptions {
   std::string scene;
   std::vector<std::string> set;
   TradeOffPlan plan{.schemes = {},
@@ -55,7 +55,7 @@ void check_plan(TradeOffPlan const& plan, Scene const& scene) {
             "must be " + sdpd::Sdpd::sizes.text());
 }
 
-Target target_of(Options const& options, Scene const& scene) {
+Target target_of(TradeOffOptions const& options, Scene const& scene) {
   auto read = [&](char const* option, std::optional<std::string> const& text, auto const& parse) {
     try {
       parse();
@@ -74,7 +74,7 @@ Target target_of(Options const& options, Scene const& scene) {
   return target;
 }
 
-Result run(Options const& options, Context const& context) {
+Result measure_trade_off(TradeOffOptions const& options, Context const& context) {
   auto overrides = options.set;
   if (context.options.seed)
     overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
@@ -106,7 +106,7 @@ Result run(Options const& options, Context const& context) {
   return result;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, TradeOffOptions& options) {
   auto& plan = options.plan;
   add_scene(app, options.scene, options.set);
   app.add_option("--schemes", plan.schemes, "pair schemes (default: ssa, ams, ems; of DPD ssa, ser)")
@@ -128,7 +128,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action trade_off_command(CLI::App& app) {
-  return with_options(app, declare, run);
+  return with_options<TradeOffOptions>(app, declare, measure_trade_off);
 }
 
 } // namespace mesobridge::workflows

@@ -8,11 +8,11 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Options {
+struct WorkflowLjToSdpdOptions {
   std::string preset = "quick";
 };
 
-Result lj_to_sdpd(Options const& options, Context const& context) {
+Result lj_to_sdpd(WorkflowLjToSdpdOptions const& options, Context const& context) {
   auto const directory = context.output_directory("out/lj-to-sdpd");
   FolderLock const lock(directory, context.command_line());
   auto const results = run_chain(preset_of(options.preset), options.preset, directory, context);
@@ -23,7 +23,7 @@ Result lj_to_sdpd(Options const& options, Context const& context) {
   return with_report(directory, chain_summary(results), chain_report(results, provenance));
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, WorkflowLjToSdpdOptions& options) {
   add_preset(app, options.preset, "quick (minutes), standard (an hour or two) or paper")
       ->capture_default_str();
 }
@@ -31,7 +31,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action workflow_lj_to_sdpd_command(CLI::App& app) {
-  return with_options(app, declare, lj_to_sdpd);
+  return with_options<WorkflowLjToSdpdOptions>(app, declare, lj_to_sdpd);
 }
 
 } // namespace mesobridge::workflows

@@ -10,7 +10,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-struct Options {
+struct WorkflowStarPolymersOptions {
   std::string preset = "quick";
   std::vector<std::string> stars;
   std::vector<double> densities;
@@ -19,7 +19,7 @@ struct Options {
 };
 
 /// The preset's plan with what the user wants otherwise.
-ChapterPlan plan_of(Options const& options, std::uint64_t seed) {
+ChapterPlan plan_of(WorkflowStarPolymersOptions const& options, std::uint64_t seed) {
   auto plan = chapter_plan(preset_of(options.preset), seed);
   plan.vacuum.molecules = options.vacuum_molecules.value_or(plan.vacuum.molecules);
   plan.vacuum.sampling_steps = options.vacuum_sampling_steps.value_or(plan.vacuum.sampling_steps);
@@ -44,7 +44,7 @@ ChapterPlan plan_of(Options const& options, std::uint64_t seed) {
   return plan;
 }
 
-Result star_polymers(Options const& options, Context const& context) {
+Result star_polymers(WorkflowStarPolymersOptions const& options, Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
   auto const plan = plan_of(options, seed);
   auto const directory = context.output_directory("out/star-polymers");
@@ -57,7 +57,7 @@ Result star_polymers(Options const& options, Context const& context) {
   return with_report(directory, std::move(summary), report.html());
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, WorkflowStarPolymersOptions& options) {
   add_preset(app, options.preset, "quick (minutes), standard (hours; goes on when run again) or paper")
       ->capture_default_str();
   app.add_option("--star", options.stars, "ARMS-BEADS of other molecules than the preset's")
@@ -73,7 +73,7 @@ void declare(CLI::App& app, Options& options) {
 } // namespace
 
 Command::Action workflow_star_polymers_command(CLI::App& app) {
-  return with_options(app, declare, star_polymers);
+  return with_options<WorkflowStarPolymersOptions>(app, declare, star_polymers);
 }
 
 } // namespace mesobridge::workflows

@@ -1,6 +1,6 @@
 #include "workflows/star/blob_file.hpp"
 #include "md/error.hpp"
-#include "workflows/star/unit_system.hpp"
+#include "workflows/star/unit_style.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -161,7 +161,7 @@ void refuse_walls(BlobFileHead const& head, std::filesystem::path const& file, s
 std::string units_text(BlobFileHead const& head) {
   return head.units == "lj" ? "reduced Lennard-Jones"
                             : fmt::format("LAMMPS {} ({}); masses so that m v^2 is an energy", head.units,
-                                          unit_system(head.units).description);
+                                          unit_style(head.units).description);
 }
 
 BlobData read_blobs(std::filesystem::path const& file) {

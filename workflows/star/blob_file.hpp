@@ -17,7 +17,7 @@ struct BlobFileHead {
   double rho = 0;           ///< atoms per volume; 0: isolated molecules
   double T = 0;             ///< of the thermostat; 0: none or several
   std::vector<double> set;  ///< vacuum: the temperature (or the energy) set for each molecule
-  std::string units = "lj"; ///< LAMMPS's unit style; masses are consistent ones (see UnitSystem)
+  std::string units = "lj"; ///< LAMMPS's unit style; masses are consistent ones (see UnitStyle)
   std::string walls{};      ///< the axes, "z" say, along which the box is not periodic
   std::string time_unit{};  ///< "steps" where the trajectory says no time; otherwise that of the unit style
 };

@@ -74,7 +74,7 @@ Mapping read(fitting::TomlReader& reader) {
     throw InputError(fmt::format("format = '{}': must be \"mesobridge mapping 1\"", format));
   Mapping mapping{.name = reader.text("name"), .model = {}};
   mapping.units_given = reader.has("units");
-  mapping.units = unit_system(mapping.units_given ? reader.text("units") : "lj");
+  mapping.units = unit_style(mapping.units_given ? reader.text("units") : "lj");
   auto& model = mapping.model;
   auto const atoms = std::size_t(whole(reader.number("atoms"), "atoms", 1, most_atoms));
   mapping.masses = reader.numbers("masses", atoms);

@@ -1,6 +1,6 @@
 #pragma once
 #include "cg/molecule_model.hpp"
-#include "workflows/star/unit_system.hpp"
+#include "workflows/star/unit_style.hpp"
 #include <filesystem>
 
 namespace mesobridge::workflows {
@@ -34,8 +34,8 @@ namespace mesobridge::workflows {
 ///     bonded = "yes"                  # "no": bonded atoms do not interact as pairs
 struct Mapping {
   std::string name;
-  cg::MoleculeModel model; ///< its masses are consistent ones (see UnitSystem)
-  UnitSystem units{};
+  cg::MoleculeModel model; ///< its masses are consistent ones (see UnitStyle)
+  UnitStyle units{};
   bool units_given = false;     ///< false: the default
   std::vector<double> masses{}; ///< of the atoms, in the unit system's own unit of mass
 };

@@ -1,6 +1,6 @@
 #pragma once
 #include "md/box.hpp"
-#include "workflows/star/unit_system.hpp"
+#include "workflows/star/unit_style.hpp"
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -30,7 +30,7 @@ struct TrajectoryFrame {
 struct TrajectoryReading {
   std::size_t atoms_per_molecule = 1;
   std::vector<double> masses{}; ///< of a molecule's atoms, to compare with a dump's column `mass`
-  UnitSystem units{};           ///< of the mapping
+  UnitStyle units{};            ///< of the mapping
   bool units_given = false;     ///< by the mapping; otherwise they are the default
   std::string group{};          ///< of an H5MD file's particles; empty: the only one
   std::function<void(std::string const&)> warn = [](std::string const&) {};

@@ -45,4 +45,14 @@ std::vector<sdpd::Parameter> parameters_of(std::vector<NamedLaw> const& laws) {
   return all;
 }
 
+/// The names of the laws that have a parameter.
+template <class NamedLaw>
+std::vector<std::string> names_with(std::vector<NamedLaw> const& laws, std::string_view parameter) {
+  std::vector<std::string> names;
+  for (auto const& law : laws)
+    if (std::ranges::find(law.parameters, parameter, &sdpd::Parameter::name) != law.parameters.end())
+      names.emplace_back(law.name);
+  return names;
+}
+
 } // namespace mesobridge::workflows

@@ -1,4 +1,4 @@
-#include "workflows/star/unit_system.hpp"
+#include "workflows/star/unit_style.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@ namespace {
 constexpr double angstrom = 1e-10, calorie = 4.184, elementary_charge = 1.602176634e-19,
                  avogadro = 6.02214076e23;
 
-std::vector<UnitSystem> const& systems() {
-  static std::vector<UnitSystem> const list{
+std::vector<UnitStyle> const& systems() {
+  static std::vector<UnitStyle> const list{
       {"lj", 1, 0, 0, "reduced Lennard-Jones units"},
       // 1 g/mol (A/fs)^2 = 1e-3 kg/mol (1e5 m/s)^2 = 1e7 J/mol; one kcal/mol is 4184 J/mol.
       {"real", 1e7 / (1000 * calorie), angstrom, 1e-15, "g/mol, Angstrom, fs, kcal/mol"},
@@ -50,8 +50,8 @@ constexpr std::array symbols{
 
 } // namespace
 
-UnitSystem unit_system(std::string const& name) {
-  auto const found = std::ranges::find(systems(), name, &UnitSystem::name);
+UnitStyle unit_style(std::string const& name) {
+  auto const found = std::ranges::find(systems(), name, &UnitStyle::name);
   if (found != systems().end())
     return *found;
   std::string known;

@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/star/unit_system.hpp"
+#include "workflows/star/unit_style.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
@@ -7,20 +7,20 @@ namespace mesobridge::workflows {
 namespace {
 
 // LAMMPS's own constants mvv2e, update.cpp
-TEST(UnitSystem, EnergiesOfMvvAreLammpsOwn) {
-  EXPECT_NEAR(unit_system("real").energy_of_mv2, 48.88821291 * 48.88821291, 1e-4);
-  EXPECT_NEAR(unit_system("metal").energy_of_mv2, 1.0364269e-4, 1e-11);
+TEST(UnitStyle, EnergiesOfMvvAreLammpsOwn) {
+  EXPECT_NEAR(unit_style("real").energy_of_mv2, 48.88821291 * 48.88821291, 1e-4);
+  EXPECT_NEAR(unit_style("metal").energy_of_mv2, 1.0364269e-4, 1e-11);
   std::size_t tried = 0;
   for (char const* name : {"lj", "si", "cgs", "micro", "nano"}) {
-    EXPECT_EQ(unit_system(name).energy_of_mv2, 1) << name;
+    EXPECT_EQ(unit_style(name).energy_of_mv2, 1) << name;
     ++tried;
   }
   EXPECT_EQ(tried, 5u);
-  EXPECT_THROW(unit_system("electron"), InputError);
-  EXPECT_THROW(unit_system("Real"), InputError);
+  EXPECT_THROW(unit_style("electron"), InputError);
+  EXPECT_THROW(unit_style("Real"), InputError);
 }
 
-TEST(UnitSystem, UnitsOfLengthsTimesAndVelocitiesAreRead) {
+TEST(UnitStyle, UnitsOfLengthsTimesAndVelocitiesAreRead) {
   EXPECT_DOUBLE_EQ(value_in_si("nm", 1, 0), 1e-9);
   EXPECT_DOUBLE_EQ(value_in_si("Angstrom", 1, 0), 1e-10);
   EXPECT_DOUBLE_EQ(value_in_si("nm+1", 1, 0), 1e-9);
