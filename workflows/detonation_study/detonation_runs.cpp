@@ -124,6 +124,10 @@ Scene detonation_scene(DetonationCase const& of) {
   return scene;
 }
 
+DetonationTheory nitromethane_theory() {
+  return detonation_theory(settings_of(detonation_scene({.name = "", .lattice = {12, 12, 100}}), 1)).value();
+}
+
 std::vector<DetonationRow> run_detonations(std::string const& title, std::vector<DetonationCase> const& cases,
                                            ReproduceOptions const& options, Context const& context) {
   std::vector<DrivenRun> runs;

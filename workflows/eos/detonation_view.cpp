@@ -80,6 +80,17 @@ SliceStates read_slices(std::filesystem::path const& file) {
   return slices;
 }
 
+DetonationView view_of(fitting::ReactiveFluid const& fluid, std::string reactant_name,
+                       std::string product_name, bool reduced) {
+  return {.reactant_name = std::move(reactant_name),
+          .product_name = std::move(product_name),
+          .reactant = fitting::Fluid(fluid.mixture.reactant().eos()),
+          .product = fitting::Fluid(fluid.mixture.product().eos()),
+          .at_rest = fluid.at_rest,
+          .crussard = fluid.crussard(),
+          .reduced = reduced};
+}
+
 Plot detonation_plot(DetonationView const& view, std::vector<fitting::Shock> const& curve,
                      std::vector<SliceStates> const& slices) {
   bool const reduced = view.reduced;

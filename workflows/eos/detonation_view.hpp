@@ -1,5 +1,5 @@
 #pragma once
-#include "fitting/shock_relations.hpp"
+#include "fitting/reactive_fluid.hpp"
 #include "workflows/report/plot.hpp"
 #include <filesystem>
 
@@ -14,6 +14,10 @@ struct DetonationView {
       crussard;         ///< of the products, from the state at rest with the pressure that is assumed there
   bool reduced = false; ///< in Lennard-Jones units
 };
+
+/// Of a fluid that reacts, from its state at rest.
+DetonationView view_of(fitting::ReactiveFluid const& fluid, std::string reactant_name,
+                       std::string product_name, bool reduced = false);
 
 /// States of a simulation, one a slice, to be laid over the curves; the model's units.
 struct SliceStates {

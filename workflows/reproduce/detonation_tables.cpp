@@ -118,19 +118,11 @@ Figure profiles_figure(std::vector<DetonationRow> const& rows, std::string const
 }
 
 Figure volume_figure(std::vector<DetonationRow> const& rows) {
-  auto const theory =
-      detonation_theory(settings_of(detonation_scene({.name = "", .lattice = {12, 12, 100}}), 1));
-  auto const& fluid = theory->fluid;
   std::vector<SliceStates> slices;
   for (auto const& row : rows)
     if (row.K == 100 && row.Z == Z_usual && row.eta == eta_printed && !row.failed())
       slices.push_back({.label = label_of(row), .rho = row.slice_rho, .P = row.slice_P});
-  DetonationView const view{.reactant_name = "nitromethane",
-                            .product_name = "nitromethane-products",
-                            .reactant = fitting::Fluid(fluid.mixture.reactant().eos()),
-                            .product = fitting::Fluid(fluid.mixture.product().eos()),
-                            .at_rest = fluid.at_rest,
-                            .crussard = fluid.crussard()};
+  auto const view = view_of(nitromethane_theory().fluid, "nitromethane", "nitromethane-products");
   return {{draw_svg(detonation_plot(view, 24 * GPa, 120, slices))},
           "Figure 6.12: the slices of the runs at their last instant, from the beginning of the wave to its "
           "front."};

@@ -9,7 +9,7 @@ Reproduce reproduce_chapter_3, reproduce_figure_4_2, reproduce_figure_4_3, repro
     reproduce_figure_4_9, reproduce_table_4_1, reproduce_table_4_2, reproduce_figure_4_10,
     reproduce_stability, reproduce_table_5_1, reproduce_table_5_2, reproduce_figure_5_5, reproduce_figure_5_6,
     reproduce_exact_solutions, reproduce_viscosity, reproduce_table_6_4, reproduce_table_6_5,
-    reproduce_figure_6_10, reproduce_figure_6_13;
+    reproduce_figure_6_2, reproduce_figure_6_10, reproduce_figure_6_13;
 
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
@@ -31,6 +31,7 @@ std::vector<Reproduction> const& reproductions() {
       {"table-5.2", "a shock in argon over the particle size, three equations of state", reproduce_table_5_2},
       {"figure-5.5", "its density through the front, eta = 1e-4 Pa s", reproduce_figure_5_5},
       {"figure-5.6", "its density through the front, eta = 2e-3 Pa s", reproduce_figure_5_6},
+      {"figure-6.2", "Hugoniot and Crussard curves of nitromethane, with the Chapman-Jouguet detonation", reproduce_figure_6_2},
       {"table-6.4", "the velocity of a detonation over the particle size (with figures 6.11, 6.12)", reproduce_table_6_4},
       {"table-6.5", "its reaction zone over the rate (with figure 6.14)", reproduce_table_6_5},
       {"figure-6.10", "from a shock to a detonation over the particle size (with figures 6.7, 6.9)", reproduce_figure_6_10},

@@ -119,6 +119,22 @@ std::optional<DetonationFrames> detonation_frames(Store const& store, Scene cons
                           {position, theory.chapman_jouguet.v_P, settings.spacing() * units.length}};
 }
 
+namespace {
+
+ReleaseOfRun release_of(sdpd::DetonationFrame const& frame, double front, double zone,
+                        std::vector<double> const& position) {
+  double const begin = frame.flow.piston, sonic = front - zone;
+  ReleaseOfRun found{.time = frame.flow.time, .place = {}, .P = {}};
+  for (std::size_t s = 0; s < position.size(); ++s)
+    if (position[s] > begin && position[s] < front && frame.flow.rho[s] > 0) {
+      found.place.push_back((position[s] - begin) / (sonic - begin));
+      found.P.push_back(frame.flow.P[s]);
+    }
+  return found;
+}
+
+} // namespace
+
 std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& scene,
                                              sdpd::SimulationSettings const& settings) {
   auto theory = detonation_theory(settings);
@@ -130,12 +146,18 @@ std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& sc
   if (!measured)
     return std::nullopt;
   std::size_t const last = measured->first + measured->times.size() - 1;
-  DetonationOfRun found{std::move(*measured), std::move(*theory), {}, {}, frames[last].flow.time};
+  DetonationOfRun found{std::move(*measured), std::move(*theory), {}, {}, frames[last].flow.time, {}};
   for (std::size_t s = scale.position.size(); s-- > 0;)
     if (scale.position[s] < found.measured.fronts.back() && frames[last].flow.rho[s] > 0) {
       found.rho.push_back(frames[last].flow.rho[s]);
       found.P.push_back(frames[last].flow.P[s]);
     }
+  constexpr std::size_t instants = 4;
+  for (std::size_t k = 1; k <= instants; ++k) {
+    std::size_t const n = (found.measured.fronts.size() - 1) * k / instants;
+    found.release.push_back(release_of(frames[found.measured.first + n], found.measured.fronts[n],
+                                       found.measured.zone.mean, scale.position));
+  }
   return found;
 }
 

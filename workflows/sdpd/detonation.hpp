@@ -22,13 +22,21 @@ struct DetonationTheory {
 /// whose pair law counts the neighbours that a uniform fluid has. In the units of the settings.
 std::optional<DetonationTheory> detonation_theory(sdpd::SimulationSettings const& settings);
 
+/// The pressure behind a front, over the way from where the wave began, 1 where the measured reaction zone
+/// ends.
+struct ReleaseOfRun {
+  double time;
+  std::vector<double> place, P; ///< of the slices with fluid
+};
+
 /// What a run shows of its detonation, by its profiles; in the scene's units.
 struct DetonationOfRun {
   sdpd::SteadyDetonation measured;
   DetonationTheory theory;
   std::vector<double> rho,
       P; ///< of the slices of the last frame that was taken, from the front backwards, where there is fluid
-  double instant; ///< when that was
+  double instant;                    ///< when that was
+  std::vector<ReleaseOfRun> release; ///< at four of the instants
 
   /// Whether its velocity is no longer another one in the second half of the frames: by 3 standard errors or
   /// 1 %.

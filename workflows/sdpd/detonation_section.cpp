@@ -1,3 +1,4 @@
+#include "fitting/taylor_wave.hpp"
 #include "workflows/eos/detonation_view.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/detonation.hpp"
@@ -48,19 +49,40 @@ std::string way_of_the_front(DetonationOfRun const& found, OutputUnits const& un
 
 std::string pressure_and_volume(DetonationOfRun const& found, Scene const& scene) {
   auto const& fluid = found.theory.fluid;
-  DetonationView const view{.reactant_name = scene.fluid.eos,
-                            .product_name = *scene.reaction.product,
-                            .reactant = fitting::Fluid(fluid.mixture.reactant().eos()),
-                            .product = fitting::Fluid(fluid.mixture.product().eos()),
-                            .at_rest = fluid.at_rest,
-                            .crussard = fluid.crussard(),
-                            .reduced = scene.units == UnitSystem::lj};
+  auto const view = view_of(fluid, scene.fluid.eos, *scene.reaction.product, scene.units == UnitSystem::lj);
   double highest =
       found.theory.zone.empty() ? found.theory.chapman_jouguet.behind.P : found.theory.spike().state.P;
   for (double const P : found.P)
     highest = std::max(highest, P);
   return draw_svg(detonation_plot(view, 1.1 * highest, 120,
                                   {{.label = "slices of the run", .rho = found.rho, .P = found.P}}));
+}
+
+/// The rarefaction behind, which grows with the way of the front, so that the instants lie on each other.
+std::string release_drawing(DetonationOfRun const& found, OutputUnits const& units) {
+  auto const y = axis_of("P" + units.pressure_key), t = axis_of("time" + units.time_key);
+  Plot plot{.name = "release",
+            .title = "Self-similar rarefaction",
+            .x = {.label = "way, 1 at the end of the zone", .min = 0},
+            .panels = {Panel{}}};
+  auto& panel = plot.panels[0];
+  panel.y.label = y.label;
+  for (auto const& at : found.release)
+    panel.series.push_back({.label = fmt::format("{} = {}", t.label, number_text(at.time * t.factor, 3)),
+                            .x = at.place,
+                            .y = scaled(at.P, y.factor),
+                            .y_error = {}});
+  try {
+    Series exact{.label = "Taylor", .x = {0}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+    auto const wave = fitting::taylor_wave(fitting::Fluid(found.theory.fluid.mixture.product().eos()),
+                                           found.theory.chapman_jouguet, 60);
+    exact.y.push_back(wave.back().state.P * y.factor);
+    for (auto at = wave.rbegin(); at != wave.rend(); ++at)
+      exact.x.push_back(at->place), exact.y.push_back(at->state.P * y.factor);
+    panel.series.push_back(std::move(exact));
+  } catch (PhysicsError const&) { // products without a state at rest have no such wave
+  }
+  return draw_svg(plot);
 }
 
 Table comparison(DetonationOfRun const& found, OutputUnits const& units) {
@@ -101,6 +123,10 @@ Section detonation_section(DetonationOfRun const& found, Scene const& scene, Out
                                       "these instants."});
   if (profile.depth.empty()) // of too few frames
     return section;
+  section.content.emplace_back(Figure{
+      {release_drawing(found, units)},
+      "Pressure over the way that the wave has come, at four instants; the line is G. I. Taylor's wave "
+      "behind a detonation that began at a wall at rest."});
   section.content.emplace_back(
       Figure{{in_the_frame(
                   "P", units.pressure_key, found, profile.P, [](Point at) { return at.state.P; }, units),
