@@ -4,14 +4,21 @@
 
 namespace mesobridge::fitting {
 
-std::vector<TaylorPoint> taylor_wave(Fluid const& products, Shock const& chapman_jouguet, int points) {
+std::vector<TaylorPoint> taylor_wave(Fluid const& products, Shock const& chapman_jouguet, double wall,
+                                     int points) {
+  if (!(wall < chapman_jouguet.v_P))
+    throw InputError(
+        fmt::format("a wall at {:.6g} supports the detonation, whose products move at {:.6g}: no "
+                    "rarefaction follows it",
+                    wall, chapman_jouguet.v_P));
   auto const& cj = chapman_jouguet.behind;
   Isentrope const isentrope(products, cj);
   auto const u = [&](double rho) { return chapman_jouguet.v_P - isentrope.velocity_change(rho, cj.rho); };
   double thin = cj.rho;
-  for (double u_thin = chapman_jouguet.v_P; u_thin > 0; u_thin = u(thin))
+  for (double u_thin = chapman_jouguet.v_P; u_thin > wall; u_thin = u(thin))
     thin *= 0.9;
-  double const rest = bracketed_zero(u, thin, u(thin), cj.rho, chapman_jouguet.v_P);
+  double const rest = bracketed_zero([&](double rho) { return u(rho) - wall; }, thin, u(thin) - wall, cj.rho,
+                                     chapman_jouguet.v_P - wall);
   std::vector<TaylorPoint> wave;
   for (int k = 0; k < points; ++k) {
     double const rho = cj.rho + (rest - cj.rho) * k / (points - 1);

@@ -17,12 +17,16 @@ struct Taken {
 
   double width() const { return position[1] - position[0]; }
 
-  /// A quantity of frame k at a distance from its front, between the centres of two slices; nothing outside.
+  /// A quantity of frame k at a distance from its front, between the centres of two slices; nothing outside,
+  /// and beside slices without fluid, such as a piston leaves.
   std::optional<double> at(std::vector<double> const& values, std::size_t k, double depth) const {
     double const place = (fronts[k] + depth - position[0]) / width();
     if (place < 0 || place >= static_cast<double>(position.size() - 1))
       return std::nullopt;
     auto const s = static_cast<std::size_t>(place);
+    auto const& rho = frames[k]->flow.rho;
+    if (!(rho[s] > 0 && rho[s + 1] > 0))
+      return std::nullopt;
     double const part = place - static_cast<double>(s);
     return (1 - part) * values[s] + part * values[s + 1];
   }

@@ -121,6 +121,15 @@ std::optional<DetonationFrames> detonation_frames(Store const& store, Scene cons
 
 namespace {
 
+/// The velocity that the wall behind the wave keeps, in the scene's units.
+std::optional<double> wall_behind(Scene const& scene, sdpd::SimulationSettings const& settings) {
+  auto const& face = settings.faces[static_cast<std::size_t>(scene.profile.axis[0] - 'x')][0];
+  double const velocity = face.motion.driving_velocity();
+  if (face.kind != sdpd::FaceKind::wall || (face.motion.moves() && velocity == 0))
+    return std::nullopt;
+  return velocity;
+}
+
 ReleaseOfRun release_of(sdpd::DetonationFrame const& frame, double front, double zone,
                         std::vector<double> const& position) {
   double const begin = frame.flow.piston, sonic = front - zone;
@@ -146,7 +155,8 @@ std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& sc
   if (!measured)
     return std::nullopt;
   std::size_t const last = measured->first + measured->times.size() - 1;
-  DetonationOfRun found{std::move(*measured), std::move(*theory), {}, {}, frames[last].flow.time, {}};
+  DetonationOfRun found{std::move(*measured),        std::move(*theory), {}, {}, frames[last].flow.time, {},
+                        wall_behind(scene, settings)};
   for (std::size_t s = scale.position.size(); s-- > 0;)
     if (scale.position[s] < found.measured.fronts.back() && frames[last].flow.rho[s] > 0) {
       found.rho.push_back(frames[last].flow.rho[s]);

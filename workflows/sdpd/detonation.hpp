@@ -37,6 +37,7 @@ struct DetonationOfRun {
       P; ///< of the slices of the last frame that was taken, from the front backwards, where there is fluid
   double instant;                    ///< when that was
   std::vector<ReleaseOfRun> release; ///< at four of the instants
+  std::optional<double> wall; ///< velocity of the wall that the wave has left; nothing where there is none
 
   /// Whether its velocity is no longer another one in the second half of the frames: by 3 standard errors or
   /// 1 %.

@@ -58,6 +58,11 @@ std::string pressure_and_volume(DetonationOfRun const& found, Scene const& scene
                                   {{.label = "slices of the run", .rho = found.rho, .P = found.P}}));
 }
 
+/// Whether a rarefaction follows, since the wall that the wave has left is slower than the products.
+bool is_released(DetonationOfRun const& found) {
+  return found.wall && *found.wall < 0.98 * found.theory.chapman_jouguet.v_P;
+}
+
 /// The rarefaction behind, which grows with the way of the front, so that the instants lie on each other.
 std::string release_drawing(DetonationOfRun const& found, OutputUnits const& units) {
   auto const y = axis_of("P" + units.pressure_key), t = axis_of("time" + units.time_key);
@@ -75,7 +80,7 @@ std::string release_drawing(DetonationOfRun const& found, OutputUnits const& uni
   try {
     Series exact{.label = "Taylor", .x = {0}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
     auto const wave = fitting::taylor_wave(fitting::Fluid(found.theory.fluid.mixture.product().eos()),
-                                           found.theory.chapman_jouguet, 60);
+                                           found.theory.chapman_jouguet, *found.wall, 60);
     exact.y.push_back(wave.back().state.P * y.factor);
     for (auto at = wave.rbegin(); at != wave.rend(); ++at)
       exact.x.push_back(at->place), exact.y.push_back(at->state.P * y.factor);
@@ -123,10 +128,11 @@ Section detonation_section(DetonationOfRun const& found, Scene const& scene, Out
                                       "these instants."});
   if (profile.depth.empty()) // of too few frames
     return section;
-  section.content.emplace_back(Figure{
-      {release_drawing(found, units)},
-      "Pressure over the way that the wave has come, at four instants; the line is G. I. Taylor's wave "
-      "behind a detonation that began at a wall at rest."});
+  if (is_released(found))
+    section.content.emplace_back(Figure{{release_drawing(found, units)},
+                                        "Pressure over the way that the wave has come, at four instants; the "
+                                        "line is G. I. Taylor's wave behind "
+                                        "a detonation that began at the same wall."});
   section.content.emplace_back(
       Figure{{in_the_frame(
                   "P", units.pressure_key, found, profile.P, [](Point at) { return at.state.P; }, units),

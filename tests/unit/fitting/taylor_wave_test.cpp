@@ -17,7 +17,7 @@ TEST(TaylorWave, OfAPolytropicGasIsLinear) {
     auto const ahead = fluid.at_temperature(1.3, 1e-3);
     Hugoniot const crussard(ahead, fluid, 5);
     auto const cj = crussard.chapman_jouguet();
-    auto const wave = taylor_wave(fluid, cj, 40);
+    auto const wave = taylor_wave(fluid, cj, 0, 40);
     double const D = cj.v_S, P_cj = (ahead.P + 1.3 * D * D) / (gamma + 1),
                  u_cj = (P_cj - ahead.P) / (1.3 * D), c_cj = D - u_cj;
     ASSERT_EQ(wave.size(), 40u);
@@ -42,7 +42,7 @@ TEST(TaylorWave, OfNitromethaneObeysTheEquationsOfMotion) {
   ReactiveFluid const explosive{nitromethane(), products(), VolumeLaw::additive_volume, rest,
                                 4.78e-19 / (61.04 * atomic_mass)};
   auto const cj = explosive.crussard().chapman_jouguet();
-  auto const wave = taylor_wave(Fluid(products()), cj, 400);
+  auto const wave = taylor_wave(Fluid(products()), cj, 0, 400);
   // Of x = z/(D t): (u - x D) rho' + rho u' = 0 and (u - x D) rho u' + P' = 0.
   for (std::size_t k = 1; k + 1 < wave.size(); ++k) {
     auto const &a = wave[k - 1], &b = wave[k], &c = wave[k + 1];
@@ -52,6 +52,9 @@ TEST(TaylorWave, OfNitromethaneObeysTheEquationsOfMotion) {
     EXPECT_NEAR(flow * rho_x / (b.state.rho * u_x), -1, 1e-4);
     EXPECT_NEAR(flow * b.state.rho * u_x / P_x, -1, 1e-4);
   }
+  auto const behind_piston = taylor_wave(Fluid(products()), cj, 0.5 * cj.v_P, 10);
+  EXPECT_NEAR(behind_piston.back().u / (0.5 * cj.v_P), 1, 1e-9);
+  EXPECT_THROW(taylor_wave(Fluid(products()), cj, cj.v_P, 10), InputError);
   EXPECT_GT(wave.back().place, 0.4);
   EXPECT_LT(wave.back().place, 0.6);
 }

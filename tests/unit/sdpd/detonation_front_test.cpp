@@ -74,6 +74,27 @@ TEST(DetonationFront, SaysThatAWaveStillChanges) {
   EXPECT_NEAR(found->change_of_D.mean, wave.acceleration * apart, 0.15 * wave.acceleration * apart);
 }
 
+// Behind a piston there is no fluid: its zeros are no part of any mean.
+TEST(DetonationFront, LeavesOutSlicesThatAPistonHasLeft) {
+  Wave const wave;
+  auto frames = wave.frames(110);
+  for (auto& frame : frames)
+    for (std::size_t s = 0; static_cast<double>(s) < 0.8 * D * frame.flow.time; ++s)
+      for (auto* values :
+           {&frame.flow.velocity, &frame.flow.rho, &frame.flow.P, &frame.flow.T, &frame.progress})
+        (*values)[s] = 0;
+  auto const found = steady_detonation(frames, wave.scale(), 0.3);
+  ASSERT_TRUE(found);
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < found->profile.depth.size(); ++k)
+    if (found->profile.depth[k] < -20) {
+      EXPECT_NEAR(found->profile.P[k].mean, 20, 0.3);
+      ++compared;
+    }
+  EXPECT_GT(compared, 15u);
+  EXPECT_LT(found->profile.depth.front(), -40);
+}
+
 TEST(DetonationFront, IsNotFoundWhereThereIsNone) {
   Wave wave;
   EXPECT_FALSE(steady_detonation(wave.frames(20), wave.scale(), 0.3)); // too short
