@@ -15,6 +15,7 @@ Command::Action md_star_vacuum_command(CLI::App&);
 Command::Action cg_state_grid_command(CLI::App&);
 Command::Action cg_blobs_command(CLI::App&);
 Command::Action cg_correlations_command(CLI::App&);
+Command::Action cg_transport_command(CLI::App&);
 Command::Action cg_entropy_command(CLI::App&);
 Command::Action fit_lj_bwr_command(CLI::App&);
 Command::Action fit_dpde_command(CLI::App&);
@@ -82,6 +83,10 @@ std::vector<Command> commands() {
        .summary = "Test the key approximation: are R, P and U of the blobs independent?",
        .example = "mesobridge cg correlations out/melt/blobs.h5",
        .declare = cg_correlations_command},
+      {.name = "cg transport",
+       .summary = "How fast molecules diffuse, by their displacements and velocities",
+       .example = "mesobridge cg transport out/melt/blobs.h5",
+       .declare = cg_transport_command},
       {.name = "cg entropy",
        .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
        .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",

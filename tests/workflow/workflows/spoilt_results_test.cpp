@@ -112,7 +112,7 @@ TEST(SpoiltResults, BlobsAreRefusedByTheColumn) {
        },
        {"settings/set", "2", "3"}}};
   ASSERT_EQ(all.size(), 20u);
-  for (char const* command : {"entropy", "correlations"}) {
+  for (char const* command : {"entropy", "correlations", "transport"}) {
     std::vector<std::string> words{"cg", command};
     if (std::string(command) == "entropy")
       words.emplace_back("--melt");

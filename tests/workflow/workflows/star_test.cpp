@@ -84,6 +84,23 @@ TEST(StarCommands, AShortRunIsToldThatItIsTooShort) {
   EXPECT_NE(result.errors.find("at least 16"), std::string::npos) << result.errors;
 }
 
+TEST(StarCommands, AMeltHasADiffusion) {
+  ScratchDirectory const scratch;
+  ASSERT_EQ(program(short_melt(scratch / "melt", "1", "400")).status, 0);
+  auto const result = program({"cg", "transport", (scratch / "melt" / "blobs.h5").string(), "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  EXPECT_GT(json["D_se"].get<double>(), 0);
+  EXPECT_EQ(json["lag"].size(), json["displacement"].size());
+  EXPECT_NEAR(json["velocity_correlation"][0].get<double>(), 1, 1e-12);
+  EXPECT_GT(json["temperature"].get<double>(), 0.3);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "melt" / "transport.html"));
+  auto const refused = program(
+      {"cg", "transport", (scratch / "melt" / "blobs.h5").string(), "--longest", "1e9", "-o", scratch / "no"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("longest"), std::string::npos) << refused.errors;
+}
+
 TEST(StarCommands, IsolatedStarsHaveAnEntropy) {
   ScratchDirectory const scratch;
   auto const vacuum = program({"md",

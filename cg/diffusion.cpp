@@ -1,0 +1,205 @@
+#include "cg/diffusion.hpp"
+#include "cg/jackknife.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace mesobridge::cg {
+namespace {
+
+constexpr double least_resolved = 0.8; // of the correlation at the first lag, for its integral
+constexpr double window_in_decays = 8;
+
+/// Of one number over time: sums over pairs of frames a lag apart are divided by their number.
+struct Motion {
+  std::vector<double> squared_change, product;
+};
+
+/// <x(s+t) x(s)> of every lag up to the last, without a mean taken off.
+std::vector<double> products(std::vector<double> const& x, std::size_t last) {
+  double const n = double(x.size()), mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  auto result = autocovariance(x, last);
+  double head = 0, tail = 0; // sums of x - mean over the first and the last `lag` frames
+  for (std::size_t lag = 0; lag <= last; ++lag) {
+    result[lag] += mean * mean - mean * (head + tail) / (n - double(lag));
+    if (lag < last)
+      head += x[lag] - mean, tail += x[x.size() - 1 - lag] - mean;
+  }
+  return result;
+}
+
+/// <(x(s+t) - x(s))^2> of every lag up to the last.
+std::vector<double> squared_changes(std::vector<double> const& x, std::size_t last) {
+  double const n = double(x.size()), mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  auto result = autocovariance(x, last);
+  double both = 0; // squares of the frames that can be the earlier, and of those that can be the later one
+  for (double const value : x)
+    both += 2 * (value - mean) * (value - mean);
+  for (std::size_t lag = 0; lag <= last; ++lag) {
+    result[lag] = std::max(0.0, both / (n - double(lag)) - 2 * result[lag]);
+    double const late = x[lag] - mean, early = x[x.size() - 1 - lag] - mean;
+    both -= late * late + early * early;
+  }
+  return result;
+}
+
+/// The way of each molecule from its first place, without the steps that all take together.
+std::vector<Vec3> unfolded(BlobSeries const& series) {
+  std::size_t const N = series.molecules;
+  std::vector<Vec3> ways(series.R.size());
+  for (std::size_t k = 1; k < series.frames(); ++k) {
+    auto const& box = series.boxes[k];
+    Vec3 together;
+    for (std::size_t m = 0; m < N; ++m) {
+      Vec3 const step = box.minimum_image(series.R[k * N + m] - series.R[(k - 1) * N + m]);
+      ways[k * N + m] = step;
+      together += step / double(N);
+    }
+    for (std::size_t m = 0; m < N; ++m)
+      ways[k * N + m] += ways[(k - 1) * N + m] - together;
+  }
+  return ways;
+}
+
+/// Likewise the velocities.
+std::vector<Vec3> own_velocities(BlobSeries const& series) {
+  std::size_t const N = series.molecules;
+  auto velocities = series.P;
+  for (std::size_t k = 0; k < series.frames(); ++k) {
+    Vec3 together;
+    for (std::size_t m = 0; m < N; ++m)
+      together += velocities[k * N + m] / double(N);
+    for (std::size_t m = 0; m < N; ++m)
+      velocities[k * N + m] = (velocities[k * N + m] - together) / series.mass;
+  }
+  return velocities;
+}
+
+void check(BlobSeries const& series, DiffusionSettings const& settings) {
+  require(series.frames() >= 16, "frames", series.frames(), "at least 16 are needed for diffusion");
+  require(series.molecules >= 4, "molecules", series.molecules, "at least 4 are needed for standard errors");
+  require(settings.groups >= 4, "groups of molecules", settings.groups, "must be at least 4");
+  double const interval = series.interval(), run = series.times.back() - series.times.front();
+  for (std::size_t k = 1; k < series.frames(); ++k)
+    require(std::abs(series.times[k] - series.times[k - 1] - interval) < 1e-6 * interval,
+            "interval of frames", series.times[k] - series.times[k - 1],
+            fmt::format("must be {:g} everywhere", interval));
+  require(settings.longest == 0 || (settings.longest >= 4 * interval && settings.longest <= run),
+          "longest lag", settings.longest,
+          fmt::format("must be {:g} (4 frames) ... {:g} (the run)", 4 * interval, run));
+  require(settings.viscosity >= 0, "viscosity", settings.viscosity, "must be >= 0");
+}
+
+/// A molecule that is as fast as the fastest on the way must not come half round the box between two frames.
+void check_steps(BlobSeries const& series, std::vector<Vec3> const& ways) {
+  std::size_t const N = series.molecules;
+  for (std::size_t k = 1; k < series.frames(); ++k)
+    for (std::size_t m = 0; m < N; ++m) {
+      Vec3 const step = ways[k * N + m] - ways[(k - 1) * N + m], edge = series.boxes[k].edge;
+      double const share =
+          std::max({std::abs(step.x) / edge.x, std::abs(step.y) / edge.y, std::abs(step.z) / edge.z});
+      require(share < 0.4, "step of a molecule between two frames, in edges of the box", share,
+              "must be below 0.4, or its way round the box is not known; write frames more often");
+    }
+}
+
+/// Sums of one group: displacements of every lag, then velocities of every lag, then the number of molecules.
+std::vector<Sums> sums_of_groups(BlobSeries const& series, std::vector<Vec3> const& ways,
+                                 std::vector<Vec3> const& velocities, std::size_t last, std::size_t count) {
+  std::size_t const N = series.molecules, n = series.frames(), lags = last + 1;
+  std::vector<Sums> groups(count, Sums(2 * lags + 1, 0.0));
+  std::vector<double> x(n), v(n);
+  for (std::size_t m = 0; m < N; ++m) {
+    auto& sums = groups[m * count / N];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t k = 0; k < n; ++k)
+        x[k] = component(ways[k * N + m], axis), v[k] = component(velocities[k * N + m], axis);
+      auto const changes = squared_changes(x, last), correlation = products(v, last);
+      for (std::size_t lag = 0; lag < lags; ++lag)
+        sums[lag] += changes[lag], sums[lags + lag] += correlation[lag];
+    }
+    sums.back() += 1;
+  }
+  return groups;
+}
+
+/// Least squares of Delta^2/6 over the lags from `first` to `last`.
+double slope(Sums const& sums, std::size_t first, std::size_t last, double interval) {
+  double const n = double(last - first + 1), middle = 0.5 * double(first + last);
+  double up = 0, down = 0;
+  for (std::size_t lag = first; lag <= last; ++lag)
+    up += (double(lag) - middle) * sums[lag], down += (double(lag) - middle) * (double(lag) - middle);
+  return n > 1 ? up / down / (6 * sums.back() * interval) : 0;
+}
+
+/// The lag, not whole, at which the velocity's correlation has come to 1/e of its first value; the last one
+/// where it does not.
+double decay_lag(Sums const& sums, std::size_t lags) {
+  double const goal = sums[lags] / std::numbers::e;
+  for (std::size_t lag = 1; lag < lags; ++lag)
+    if (double const now = sums[lags + lag], before = sums[lags + lag - 1]; now < goal)
+      return double(lag) - (goal - now) / (before - now);
+  return double(lags - 1);
+}
+
+} // namespace
+
+Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings) {
+  check(series, settings);
+  auto const ways = unfolded(series);
+  check_steps(series, ways);
+  double const interval = series.interval();
+  std::size_t const last = settings.longest > 0 ? std::size_t(std::lround(settings.longest / interval))
+                                                : std::max<std::size_t>(4, series.frames() / 10),
+                    lags = last + 1;
+  auto const groups =
+      sums_of_groups(series, ways, own_velocities(series), last, std::min(settings.groups, series.molecules));
+  Sums all(2 * lags + 1, 0.0);
+  for (auto const& group : groups)
+    std::transform(group.begin(), group.end(), all.begin(), all.begin(), std::plus<>());
+  auto const window = std::size_t(std::ceil(window_in_decays * decay_lag(all, lags)));
+  bool const resolved = all[lags + 1] > least_resolved * all[lags] && window <= last;
+  double const N = double(series.molecules), alone = N / (N - 1); // all together have taken one's share
+  auto const estimates = jackknife(groups, [&](Sums const& sums) {
+    std::vector<double> numbers{
+        alone * slope(sums, last / 2, last, interval), alone * slope(sums, last / 4, last / 2, interval),
+        alone * series.mass * sums[lags] / (3 * sums.back()), decay_lag(sums, lags) * interval};
+    double integral = 0.5 * sums[lags];
+    for (std::size_t lag = 1; lag <= std::min(window, last); ++lag)
+      integral += sums[lags + lag];
+    numbers.push_back(alone * interval * integral / (3 * sums.back()));
+    for (std::size_t lag = 0; lag < lags; ++lag)
+      numbers.push_back(alone * sums[lag] / sums.back());
+    for (std::size_t lag = 0; lag < lags; ++lag)
+      numbers.push_back(sums[lags + lag] / sums[lags]);
+    return numbers;
+  });
+  Diffusion found{.lag = {},
+                  .displacement = {},
+                  .velocity = {},
+                  .D = estimates[0],
+                  .D_earlier = estimates[1],
+                  .temperature = estimates[2],
+                  .decay = {},
+                  .D_velocity = {},
+                  .D_infinite = {}};
+  for (std::size_t lag = 0; lag < lags; ++lag) {
+    found.lag.push_back(double(lag) * interval);
+    found.displacement.push_back(estimates[5 + lag]);
+    found.velocity.push_back(estimates[5 + lags + lag]);
+  }
+  if (resolved)
+    found.decay = estimates[3], found.D_velocity = estimates[4];
+  if (settings.viscosity > 0) {
+    constexpr double of_cube = 2.837297;
+    double const kT = settings.temperature > 0 ? settings.temperature : found.temperature.mean,
+                 edge = std::cbrt(series.boxes.front().volume());
+    found.D_infinite = found.D;
+    found.D_infinite->mean += of_cube * kT / (6 * std::numbers::pi * settings.viscosity * edge);
+  }
+  return found;
+}
+
+} // namespace mesobridge::cg
