@@ -1,0 +1,143 @@
+#include "cg/inverse_boltzmann.hpp"
+#include "md/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <gsl/gsl_bspline.h>
+#include <gsl/gsl_multifit.h>
+#include <memory>
+#include <numbers>
+
+namespace mesobridge::cg {
+namespace {
+
+template <auto Free>
+struct Freed {
+  void operator()(auto* p) const { Free(p); }
+};
+template <class T, auto Free>
+using Owned = std::unique_ptr<T, Freed<Free>>;
+
+/// Values y with weights w at the middles of the bins `first` ... `last`, smoothed by the cubic spline of
+/// least squares.
+std::vector<double> smoothed(std::vector<double> const& y, std::vector<double> const& w, double width,
+                             double knots) {
+  std::size_t const n = y.size(), most = n / 2 + 1,
+                    breaks = std::clamp<std::size_t>(std::size_t(std::lround(double(n) * width / knots)) + 1,
+                                                     2, most);
+  Owned<gsl_bspline_workspace, gsl_bspline_free> const spline(gsl_bspline_alloc(4, breaks));
+  gsl_bspline_knots_uniform(0, double(n), spline.get());
+  std::size_t const order = gsl_bspline_ncoeffs(spline.get());
+  Owned<gsl_matrix, gsl_matrix_free> const X(gsl_matrix_alloc(n, order)),
+      covariance(gsl_matrix_alloc(order, order));
+  Owned<gsl_vector, gsl_vector_free> const values(gsl_vector_alloc(n)), weights(gsl_vector_alloc(n)),
+      coefficients(gsl_vector_alloc(order)), basis(gsl_vector_alloc(order));
+  for (std::size_t k = 0; k < n; ++k) {
+    gsl_bspline_eval(double(k) + 0.5, basis.get(), spline.get());
+    for (std::size_t j = 0; j < order; ++j)
+      gsl_matrix_set(X.get(), k, j, gsl_vector_get(basis.get(), j));
+    gsl_vector_set(values.get(), k, y[k]), gsl_vector_set(weights.get(), k, w[k]);
+  }
+  Owned<gsl_multifit_linear_workspace, gsl_multifit_linear_free> const fit(
+      gsl_multifit_linear_alloc(n, order));
+  double chi_squared = 0;
+  gsl_multifit_wlinear(X.get(), weights.get(), values.get(), coefficients.get(), covariance.get(),
+                       &chi_squared, fit.get());
+  std::vector<double> result(n);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = 0; j < order; ++j)
+      result[k] += gsl_matrix_get(X.get(), k, j) * gsl_vector_get(coefficients.get(), j);
+  return result;
+}
+
+/// The bins in which both say something, from the outside in: [first, last).
+struct Said {
+  std::size_t first, last;
+};
+
+Said said_by(RadialBins const& target, InversionSettings const& settings) {
+  require(settings.kT > 0, "kT", settings.kT, "must be > 0");
+  require(settings.share > 0 && settings.share <= 1, "share", settings.share, "must be in (0, 1]");
+  require(settings.knots > 0, "knots", settings.knots, "must be > 0");
+  double const end = target.width * double(target.g.size());
+  require(settings.cutoff > 0 && settings.cutoff <= end * (1 + 1e-9), "cutoff", settings.cutoff,
+          fmt::format("must be above 0, and within {:g}, to which g(r) is known", end));
+  auto const last = std::size_t(std::lround(settings.cutoff / target.width));
+  std::size_t first = last;
+  while (first > 0 && target.g[first - 1] > settings.least_g)
+    --first;
+  require(last - first >= 8, "bins of g(r) within the cut-off that hold pairs", last - first,
+          "at least 8 are needed");
+  return {first, last};
+}
+
+/// Zero at the cut-off, and a + b r^2 in the core, with value and slope of the first bins outside.
+PairPotential finished(PairPotential potential, std::size_t first) {
+  auto& u = potential.u;
+  std::size_t const n = u.size();
+  double const end = u[n - 1] + 0.5 * (u[n - 1] - u[n - 2]);
+  for (double& value : u)
+    value -= end;
+  double const r = potential.r(first), slope = std::min(0.0, (u[first + 1] - u[first]) / potential.width);
+  for (std::size_t k = 0; k < first; ++k)
+    u[k] = u[first] + 0.5 * slope / r * (potential.r(k) * potential.r(k) - r * r);
+  return potential;
+}
+
+} // namespace
+
+PairPotential boltzmann_potential(RadialBins const& target, InversionSettings const& settings) {
+  auto const [first, last] = said_by(target, settings);
+  PairPotential potential{target.width, std::vector<double>(last)};
+  std::vector<double> raw, weights;
+  for (std::size_t k = first; k < last; ++k) {
+    raw.push_back(-settings.kT * std::log(target.g[k]));
+    weights.push_back(target.g[k] * potential.r(k) * potential.r(k));
+  }
+  std::ranges::copy(smoothed(raw, weights, target.width, settings.knots),
+                    potential.u.begin() + std::ptrdiff_t(first));
+  return finished(std::move(potential), first);
+}
+
+PairPotential inverted(PairPotential const& before, RadialBins const& target, RadialBins const& now,
+                       InversionSettings const& settings) {
+  auto const [first, last] = said_by(target, settings);
+  require(before.u.size() == last && now.g.size() >= last && now.width == target.width, "bins of g(r)",
+          now.g.size(), "must be those of the target");
+  std::vector<double> change, weights;
+  for (std::size_t k = first; k < last; ++k) {
+    double const shown = std::max(now.g[k], settings.least_g), r = before.r(k);
+    change.push_back(settings.share * settings.kT * std::log(shown / target.g[k]));
+    weights.push_back(std::min(shown, target.g[k]) * r * r);
+  }
+  auto const smooth = smoothed(change, weights, target.width, settings.knots);
+  auto after = before;
+  for (std::size_t k = first; k < last; ++k)
+    after.u[k] += smooth[k - first];
+  return finished(std::move(after), first);
+}
+
+PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
+                                 double excess, double kT) {
+  double const r_c = before.cutoff();
+  double moment = 0;
+  for (std::size_t k = 0; k < before.u.size(); ++k)
+    moment += std::pow(before.r(k), 3) * now.g[k] * before.width;
+  double const most = 0.1 * kT,
+               A = std::clamp(-excess * r_c / (2 * std::numbers::pi / 3 * density * density * moment), -most,
+                              most);
+  auto after = before;
+  for (std::size_t k = 0; k < after.u.size(); ++k)
+    after.u[k] += A * (1 - after.r(k) / r_c);
+  return after;
+}
+
+double g_difference(RadialBins const& target, RadialBins const& now) {
+  double apart = 0, whole = 0;
+  for (std::size_t k = 0; k < std::min(target.g.size(), now.g.size()); ++k) {
+    double const r = (double(k) + 0.5) * target.width, d = now.g[k] - target.g[k];
+    apart += d * d * r * r, whole += target.g[k] * target.g[k] * r * r;
+  }
+  return apart / whole;
+}
+
+} // namespace mesobridge::cg

@@ -1,0 +1,46 @@
+#pragma once
+#include "cg/estimate.hpp"
+
+namespace mesobridge::cg {
+
+/// A pair potential at the middles of bins of equal width, r_k = (k + 1/2) width; zero from the cut-off on.
+struct PairPotential {
+  double width = 0; ///< > 0
+  std::vector<double> u;
+
+  double r(std::size_t k) const { return (double(k) + 0.5) * width; }
+  double cutoff() const { return width * double(u.size()); }
+};
+
+/// A radial distribution function in bins of equal width from r = 0 on.
+struct RadialBins {
+  double width = 0;
+  std::vector<double> g;
+};
+
+struct InversionSettings {
+  double kT = 1;         ///< > 0
+  double cutoff = 0;     ///< of the potential, within the bins of g
+  double share = 0.5;    ///< of the full change that an update makes, in (0, 1]
+  double knots = 0.25;   ///< distance of the knots of the smoothing splines
+  double least_g = 1e-3; ///< below it g says nothing: there the potential goes on as a + b r^2
+};
+
+/// -kT ln g, smoothed, continued into the core and shifted to zero at the cut-off: where the iteration begins
+/// (cg/README.md, Eq. (C20)). Throws InputError for settings out of range or a g without values in it.
+PairPotential boltzmann_potential(RadialBins const& target, InversionSettings const& settings);
+
+/// One step of iterative Boltzmann inversion (Eq. (C21)), from what particles with the potential show. Throws
+/// InputError when the bins differ.
+PairPotential inverted(PairPotential const& before, RadialBins const& target, RadialBins const& now,
+                       InversionSettings const& settings);
+
+/// Adds A (1 - r/r_c), which takes `excess` of the pressure away while g stays, but for |A| <= 0.1 kT (Eq.
+/// (C22)). `density`: particles per volume.
+PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
+                                 double excess, double kT);
+
+/// int (g - g_target)^2 r^2 dr/int g_target^2 r^2 dr over the bins of both.
+double g_difference(RadialBins const& target, RadialBins const& now);
+
+} // namespace mesobridge::cg

@@ -1,0 +1,118 @@
+#include "cg/inverse_boltzmann.hpp"
+#include "error_text.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace mesobridge::cg {
+namespace {
+
+constexpr double kT = 1.3, cutoff = 3, width = 0.05;
+
+/// Repulsive inside, with a shallow well; zero with its slope at the cut-off.
+double u_of(double r) {
+  double const x = 1 - r / cutoff;
+  return r < cutoff ? x * x * (14 * x - 3) : 0;
+}
+
+RadialBins bins_of(auto const& g) {
+  RadialBins bins{width, {}};
+  for (int k = 0; k < 80; ++k)
+    bins.g.push_back(g((k + 0.5) * width));
+  return bins;
+}
+
+InversionSettings settings() {
+  return {.kT = kT, .cutoff = cutoff};
+}
+
+TEST(InverseBoltzmann, BeginsWithThePotentialOfAThinGas) {
+  auto const potential =
+      boltzmann_potential(bins_of([](double r) { return std::exp(-u_of(r) / kT); }), settings());
+  ASSERT_EQ(potential.u.size(), 60u);
+  EXPECT_NEAR(potential.cutoff(), cutoff, 1e-12);
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < potential.u.size(); ++k)
+    if (std::exp(-u_of(potential.r(k)) / kT) > 1e-3) {
+      EXPECT_NEAR(potential.u[k], u_of(potential.r(k)), 2e-3) << potential.r(k);
+      ++compared;
+    }
+  EXPECT_GT(compared, 50u);
+}
+
+// Where no pair ever was the potential goes on with a linear force, which pushes outwards.
+TEST(InverseBoltzmann, GoesOnIntoTheCore) {
+  auto const g = bins_of([](double r) { return r < 1 ? 0 : std::exp(-u_of(r) / kT); });
+  auto const potential = boltzmann_potential(g, settings());
+  for (std::size_t k = 1; k + 1 < 20; ++k) {
+    double const inner = potential.u[k - 1] - potential.u[k], outer = potential.u[k] - potential.u[k + 1];
+    EXPECT_GT(inner, 0);
+    EXPECT_NEAR((outer - inner) / (potential.u[0] - potential.u[1]), 1, 1e-6); // u = a + b r^2
+  }
+  EXPECT_NEAR(potential.u[20], u_of(potential.r(20)), 0.01);
+}
+
+TEST(InverseBoltzmann, StaysWhereGIsTheTarget) {
+  auto const g = bins_of([](double r) { return std::exp(-u_of(r) / kT); });
+  auto const before = boltzmann_potential(g, settings());
+  auto const after = inverted(before, g, g, settings());
+  for (std::size_t k = 0; k < before.u.size(); ++k)
+    EXPECT_NEAR(after.u[k], before.u[k], 1e-9);
+  EXPECT_EQ(g_difference(g, g), 0);
+}
+
+// Of a gas so thin that g = exp(-u/kT) always: the whole change is right at once, half of it half.
+TEST(InverseBoltzmann, AnUpdateOfAThinGasIsRight) {
+  auto const wrong = [](double r) { return u_of(r) * 0.8; };
+  auto const target = bins_of([](double r) { return std::exp(-u_of(r) / kT); }),
+             now = bins_of([&](double r) { return std::exp(-wrong(r) / kT); });
+  auto const before = boltzmann_potential(now, settings());
+  for (double const share : {1.0, 0.5}) {
+    auto s = settings();
+    s.share = share;
+    auto const after = inverted(before, target, now, s);
+    for (std::size_t k = 5; k < after.u.size(); ++k) {
+      double const r = after.r(k), wanted = wrong(r) + share * (u_of(r) - wrong(r));
+      EXPECT_NEAR(after.u[k], wanted, 5e-3) << r;
+    }
+  }
+  EXPECT_GT(g_difference(target, now), 1e-4);
+}
+
+TEST(InverseBoltzmann, TakesPressureAway) {
+  double const density = 0.4, excess = 0.02;
+  auto const g = bins_of([](double r) { return std::exp(-u_of(r) / kT); });
+  auto const before = boltzmann_potential(g, settings());
+  auto const after = with_less_pressure(before, g, density, excess, kT);
+  // P = rho kT - (2 pi/3) rho^2 int r^3 u' g dr, at the bins' edges
+  auto const pressure = [&](PairPotential const& of) {
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < of.u.size(); ++k)
+      sum += std::pow((double(k) + 1) * width, 3) * (of.u[k + 1] - of.u[k]) * 0.5 * (g.g[k] + g.g[k + 1]);
+    return -2 * std::numbers::pi / 3 * density * density * sum;
+  };
+  EXPECT_NEAR(pressure(before) - pressure(after), excess, 0.05 * excess); // without the last half bin
+  auto const much = with_less_pressure(before, g, density, 100, kT);
+  EXPECT_NEAR(before.u[0] - much.u[0], 0.1 * kT * (1 - 0.5 * width / cutoff), 1e-12);
+}
+
+TEST(InverseBoltzmann, RefusesByName) {
+  auto const g = bins_of([](double r) { return std::exp(-u_of(r) / kT); });
+  auto const refused = [&](RadialBins const& target, InversionSettings const& s, std::string const& word) {
+    auto const text = tests::error_text([&] { boltzmann_potential(target, s); });
+    EXPECT_NE(text.find(word), std::string::npos) << text;
+  };
+  refused(g, {.kT = 0, .cutoff = 3}, "kT");
+  refused(g, {.kT = 1, .cutoff = 9}, "cutoff");
+  refused(g, {.kT = 1, .cutoff = 3, .share = 0}, "share");
+  refused(g, {.kT = 1, .cutoff = 3, .knots = 0}, "knots");
+  refused(bins_of([](double) { return 0; }), settings(), "hold pairs");
+  auto const before = boltzmann_potential(g, settings());
+  EXPECT_NE(tests::error_text([&] {
+              inverted(before, g, {0.1, g.g}, settings());
+            }).find("target"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace mesobridge::cg
