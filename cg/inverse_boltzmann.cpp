@@ -10,6 +10,9 @@
 namespace mesobridge::cg {
 namespace {
 
+/// Of the structure factor, in steps that only have to lead the right way.
+constexpr double least_structure = 0.05;
+
 template <auto Free>
 struct Freed {
   void operator()(auto* p) const { Free(p); }
@@ -70,6 +73,31 @@ Said said_by(RadialBins const& target, InversionSettings const& settings) {
   return {first, last};
 }
 
+/// With h falling to zero between r_c and 2 r_c: noise at large distances would spoil the long waves.
+RadialBins tapered(RadialBins bins, double r_c) {
+  for (std::size_t k = 0; k < bins.g.size(); ++k) {
+    double const beyond = std::clamp((double(k) + 0.5) * bins.width / r_c - 1, 0.0, 1.0),
+                 part = std::cos(0.5 * std::numbers::pi * beyond);
+    bins.g[k] = 1 + part * part * (bins.g[k] - 1);
+  }
+  return bins;
+}
+
+/// What c and h of the target and of now say of the change of u/kT beside ln(g/g_target).
+std::vector<double> beyond_pairs(RadialBins const& target, RadialBins const& now,
+                                 InversionSettings const& settings) {
+  std::vector<double> change(now.g.size());
+  if (settings.density == 0)
+    return change;
+  auto const c_of = [&](RadialBins const& bins) {
+    return direct_correlation(tapered(bins, settings.cutoff), settings.density, least_structure);
+  };
+  auto const c_target = c_of(target), c_now = c_of(now);
+  for (std::size_t k = 0; k < change.size(); ++k)
+    change[k] = target.g[k] - now.g[k] - c_target[k] + c_now[k];
+  return change;
+}
+
 /// Zero at the cut-off, and a + b r^2 in the core, with value and slope of the first bins outside.
 PairPotential finished(PairPotential potential, std::size_t first) {
   auto& u = potential.u;
@@ -101,12 +129,13 @@ PairPotential boltzmann_potential(RadialBins const& target, InversionSettings co
 PairPotential inverted(PairPotential const& before, RadialBins const& target, RadialBins const& now,
                        InversionSettings const& settings) {
   auto const [first, last] = said_by(target, settings);
-  require(before.u.size() == last && now.g.size() >= last && now.width == target.width, "bins of g(r)",
-          now.g.size(), "must be those of the target");
+  require(before.u.size() == last && now.g.size() == target.g.size() && now.width == target.width,
+          "bins of g(r)", now.g.size(), "must be those of the target");
+  auto const beyond = beyond_pairs(target, now, settings);
   std::vector<double> change, weights;
   for (std::size_t k = first; k < last; ++k) {
     double const shown = std::max(now.g[k], settings.least_g), r = before.r(k);
-    change.push_back(settings.share * settings.kT * std::log(shown / target.g[k]));
+    change.push_back(settings.share * settings.kT * (std::log(shown / target.g[k]) + beyond[k]));
     weights.push_back(std::min(shown, target.g[k]) * r * r);
   }
   auto const smooth = smoothed(change, weights, target.width, settings.knots);
@@ -129,6 +158,28 @@ PairPotential with_less_pressure(PairPotential const& before, RadialBins const& 
   for (std::size_t k = 0; k < after.u.size(); ++k)
     after.u[k] += A * (1 - after.r(k) / r_c);
   return after;
+}
+
+std::vector<double> direct_correlation(RadialBins const& bins, double density, double least_S) {
+  std::size_t const n = bins.g.size();
+  double const pi = std::numbers::pi, R = bins.width * double(n);
+  std::vector<double> r_c(n);
+  for (std::size_t j = 1; j <= n; ++j) {
+    double const k = pi * double(j) / R;
+    double h = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      double const r = (double(i) + 0.5) * bins.width;
+      h += r * (bins.g[i] - 1) * std::sin(k * r);
+    }
+    h *= 4 * pi * bins.width / k;
+    double const S = std::max(1 + density * h, least_S);
+    double const part = (j == n ? 0.5 : 1) * k * h / S * (pi / R) / (2 * pi * pi);
+    for (std::size_t i = 0; i < n; ++i)
+      r_c[i] += part * std::sin(k * (double(i) + 0.5) * bins.width);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    r_c[i] /= (double(i) + 0.5) * bins.width;
+  return r_c;
 }
 
 double g_difference(RadialBins const& target, RadialBins const& now) {

@@ -23,6 +23,7 @@ struct InversionSettings {
   double cutoff = 0;     ///< of the potential, within the bins of g
   double share = 0.5;    ///< of the full change that an update makes, in (0, 1]
   double knots = 0.25;   ///< distance of the knots of the smoothing splines
+  double density = 0;    ///< particles per volume, to count neighbours' neighbours (Eq. (C23)); 0: do not
   double least_g = 1e-3; ///< below it g says nothing: there the potential goes on as a + b r^2
 };
 
@@ -30,7 +31,8 @@ struct InversionSettings {
 /// (cg/README.md, Eq. (C20)). Throws InputError for settings out of range or a g without values in it.
 PairPotential boltzmann_potential(RadialBins const& target, InversionSettings const& settings);
 
-/// One step of iterative Boltzmann inversion (Eq. (C21)), from what particles with the potential show. Throws
+/// One step of iterative Boltzmann inversion (Eq. (C21)), or with a density the one that counts neighbours'
+/// neighbours too (Eq. (C23)), from what particles with the potential show. Throws
 /// InputError when the bins differ.
 PairPotential inverted(PairPotential const& before, RadialBins const& target, RadialBins const& now,
                        InversionSettings const& settings);
@@ -39,6 +41,11 @@ PairPotential inverted(PairPotential const& before, RadialBins const& target, Ra
 /// (C22)). `density`: particles per volume.
 PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
                                  double excess, double kT);
+
+/// The direct correlation function of Ornstein and Zernike's equation at the middles of the bins, which must
+/// reach to where g is 1 (Eq. (C23)). `least_S`: what structure factors below it, noise, count as; > 0 where
+/// g is measured.
+std::vector<double> direct_correlation(RadialBins const& bins, double density, double least_S = 0);
 
 /// int (g - g_target)^2 r^2 dr/int g_target^2 r^2 dr over the bins of both.
 double g_difference(RadialBins const& target, RadialBins const& now);

@@ -16,6 +16,7 @@ Command::Action cg_state_grid_command(CLI::App&);
 Command::Action cg_blobs_command(CLI::App&);
 Command::Action cg_correlations_command(CLI::App&);
 Command::Action cg_transport_command(CLI::App&);
+Command::Action cg_potential_command(CLI::App&);
 Command::Action cg_entropy_command(CLI::App&);
 Command::Action fit_lj_bwr_command(CLI::App&);
 Command::Action fit_dpde_command(CLI::App&);
@@ -87,6 +88,10 @@ std::vector<Command> commands() {
        .summary = "How fast molecules diffuse, by their displacements and velocities",
        .example = "mesobridge cg transport out/melt/blobs.h5",
        .declare = cg_transport_command},
+      {.name = "cg potential",
+       .summary = "A pair potential that gives particles the structure of molecules' centres of mass",
+       .example = "mesobridge cg potential out/melt/blobs.h5",
+       .declare = cg_potential_command},
       {.name = "cg entropy",
        .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
        .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",

@@ -79,6 +79,26 @@ TEST(InverseBoltzmann, AnUpdateOfAThinGasIsRight) {
   EXPECT_GT(g_difference(target, now), 1e-4);
 }
 
+// A made-up direct correlation of Gaussian form, whose h follows by Ornstein and Zernike's equation.
+TEST(InverseBoltzmann, FindsTheDirectCorrelation) {
+  double const density = 0.7, depth = 0.4, pi = std::numbers::pi;
+  auto const c_of = [&](double r) { return -depth * std::exp(-r * r); };
+  auto const h_of = [&](double r) {
+    double sum = 0, dk = 0.01; // h(r) = 1/(2 pi^2 r) int k sin(k r) c/(1 - density c) dk
+    for (double k = 0.5 * dk; k < 14; k += dk) {
+      double const c = -depth * std::pow(pi, 1.5) * std::exp(-k * k / 4);
+      sum += k * std::sin(k * r) * c / (1 - density * c) * dk;
+    }
+    return sum / (2 * pi * pi * r);
+  };
+  RadialBins bins{0.05, {}};
+  for (int k = 0; k < 160; ++k)
+    bins.g.push_back(1 + h_of((k + 0.5) * bins.width));
+  auto const c = direct_correlation(bins, density);
+  for (std::size_t k = 0; k < 80; ++k)
+    EXPECT_NEAR(c[k], c_of((double(k) + 0.5) * bins.width), 2e-3) << k;
+}
+
 TEST(InverseBoltzmann, TakesPressureAway) {
   double const density = 0.4, excess = 0.02;
   auto const g = bins_of([](double r) { return std::exp(-u_of(r) / kT); });

@@ -1,0 +1,62 @@
+#include "workflows/coarse/structure_of_blobs.hpp"
+#include "md/error.hpp"
+#include "sdpd/observe/radial_distribution.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr std::size_t most_frames_seen = 400; // neighbouring ones show the same structure
+
+/// k_B T of the centres of mass, whose motion together is taken out.
+double kT_of(BlobData const& data) {
+  auto const N = std::size_t(data.head.molecules);
+  double sum = 0;
+  for (std::size_t k = 0; k < data.frames(); ++k) {
+    Vec3 together;
+    for (std::size_t m = 0; m < N; ++m)
+      together += data.P[k * N + m] / double(N);
+    for (std::size_t m = 0; m < N; ++m)
+      sum += norm2(data.P[k * N + m] - together);
+  }
+  return sum / (3 * data.head.mass * double(N - 1) * double(data.frames()));
+}
+
+} // namespace
+
+CoarseStructure structure_of(BlobData const& data, double width) {
+  auto const N = std::size_t(data.head.molecules);
+  require(data.head.rho > 0, "blobs", data.head.kind, "must be those of a melt or a trajectory");
+  require(N >= 8 && data.frames() >= 1, "molecules", N, "at least 8 are needed for a structure");
+  auto const& box = data.boxes.front();
+  double const R = 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z});
+  require(width > 0 && width < R / 8, "bin width", width,
+          fmt::format("must be above 0 and below {:g}", R / 8));
+  for (auto const& other : data.boxes)
+    require(norm2(other.edge - box.edge) < 1e-18 * norm2(box.edge), "box", norm(other.edge),
+            "must be the same in all frames");
+  auto const bins = std::size_t(R / width);
+  sdpd::RadialDistribution found(box, R, bins);
+  std::size_t const stride = std::max<std::size_t>(1, data.frames() / most_frames_seen);
+  for (std::size_t k = 0; k < data.frames(); k += stride)
+    found.add({data.R.data() + k * N, N});
+  CoarseStructure structure{.density = double(N) / box.volume(),
+                            .mass = data.head.mass,
+                            .kT = kT_of(data),
+                            .g = {R / double(bins), found.g()}};
+  if (!data.pressures.empty())
+    structure.P =
+        std::accumulate(data.pressures.begin(), data.pressures.end(), 0.0) / double(data.pressures.size());
+  return structure;
+}
+
+double usual_cutoff(cg::RadialBins const& bins) {
+  std::size_t last = bins.g.size();
+  while (last > 8 && std::abs(bins.g[last - 1] - 1) < 0.02)
+    --last;
+  return double(last) * bins.width;
+}
+
+} // namespace mesobridge::workflows

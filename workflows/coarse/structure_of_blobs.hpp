@@ -1,0 +1,15 @@
+#pragma once
+#include "workflows/coarse/potential_search.hpp"
+#include "workflows/star/blob_file.hpp"
+
+namespace mesobridge::workflows {
+
+/// What a coarse fluid of the same molecules is to have: density, mass, temperature of the centres of mass,
+/// radial distribution in bins of about `width` up to half of the box, and the pressure. Throws InputError
+/// for isolated molecules, or a box of another size in each frame.
+CoarseStructure structure_of(BlobData const& data, double width);
+
+/// Beyond which g stays within 0.02 of one.
+double usual_cutoff(cg::RadialBins const& bins);
+
+} // namespace mesobridge::workflows
