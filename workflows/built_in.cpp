@@ -11,6 +11,10 @@ constexpr BuiltIn scenes[] = {
 #include "generated/built_in_scenes.inc"
 };
 
+constexpr BuiltIn model_files[] = {
+#include "generated/built_in_models.inc"
+};
+
 } // namespace
 
 std::span<BuiltIn const> built_in_tables() {
@@ -19,6 +23,10 @@ std::span<BuiltIn const> built_in_tables() {
 
 std::span<BuiltIn const> built_in_scenes() {
   return scenes;
+}
+
+std::span<BuiltIn const> built_in_model_files() {
+  return model_files;
 }
 
 } // namespace mesobridge::workflows

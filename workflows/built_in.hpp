@@ -16,4 +16,7 @@ std::span<BuiltIn const> built_in_tables();
 /// The scenes that come with the program: workflows/scenes/*.toml.
 std::span<BuiltIn const> built_in_scenes();
 
+/// The models that these name as files: workflows/scenes/models/*.toml.
+std::span<BuiltIn const> built_in_model_files();
+
 } // namespace mesobridge::workflows

@@ -89,8 +89,10 @@ std::optional<SteadyDetonation> steady_detonation(std::vector<DetonationFrame> c
   for (std::size_t k = 0; k < frames.size(); ++k) {
     auto const& flow = frames[k].flow;
     auto const front = front_position(flow, scale);
-    if (!front || *front < flow.piston + start * (scale.position.back() - flow.piston) ||
-        *front > scale.position.back() - far_zone * scale.spacing)
+    bool const at_the_end = front && *front > scale.position.back() - far_zone * scale.spacing;
+    if (at_the_end && !taken.frames.empty())
+      break; // what comes back from there is another wave
+    if (!front || at_the_end || *front < flow.piston + start * (scale.position.back() - flow.piston))
       continue;
     if (taken.frames.empty())
       found.first = k;

@@ -27,11 +27,11 @@ struct SteadyDetonation {
 };
 
 /// From the frames in which the front has left the first `start` of the way between its beginning and the far
-/// end behind (a share from 0 to 1), and is further than 10 spacings from the far end. The front is the last
-/// crossing of half the velocity of the scale; errors come from six blocks of frames. The zone ends where the
-/// mean progress over the frames, at equal distances from the front, has come to zone_begin and zone_end for
-/// the first time behind it; its error is that of the blocks. Nothing for fewer than 12 such frames, or where
-/// no frame shows the whole zone.
+/// end behind (a share from 0 to 1), up to where it comes within 10 spacings of the far end. The front is the
+/// last crossing of half the velocity of the scale; errors come from six blocks of frames. The zone ends
+/// where the mean progress over the frames, at equal distances from the front, has come to zone_begin and
+/// zone_end for the first time behind it; its error is that of the blocks. Nothing for fewer than 12 such
+/// frames, or where no frame shows the whole zone.
 std::optional<SteadyDetonation> steady_detonation(std::vector<DetonationFrame> const& frames,
                                                   ShockScale const& scale, double start);
 

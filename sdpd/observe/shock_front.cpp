@@ -129,8 +129,10 @@ std::optional<SteadyShock> steady_shock(std::vector<ShockFrame> const& frames, S
   Masses masses;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     auto const front = front_position(frames[k], scale);
-    if (!front || *front < frames[k].piston + start_zone * scale.spacing ||
-        *front > scale.position.back() - far_zone * scale.spacing)
+    bool const at_the_end = front && *front > scale.position.back() - far_zone * scale.spacing;
+    if (at_the_end && !shock.frames.empty())
+      break; // what comes back from there is another wave
+    if (!front || at_the_end || *front < frames[k].piston + start_zone * scale.spacing)
       continue;
     auto const plateau = plateau_of(frames[k], scale, *front);
     if (plateau.empty())

@@ -122,6 +122,30 @@ auto MixedParticle::stiffness(double lambda, double rho, Split const& split) con
   return {(at.reactant.rho_P_rho / at.reactant.P).v[0], (at.product.rho_P_rho / at.product.P).v[0]};
 }
 
+std::optional<double> MixedParticle::last_density(double lambda, double eps, double S, Split const& split,
+                                                  double nearby) const try {
+  constexpr int most_steps = 30;
+  constexpr double longest_step = 0.1, last_step = 1e-9, same = 1e-9; // of ln rho; of heat capacity times T
+  auto const& of = *model_;
+  double log_rho = std::log(nearby * of.rho_unit), change = longest_step;
+  for (int step = 0; step < most_steps; ++step) {
+    double const density = std::exp(log_rho);
+    auto const at = of.mixture.at(lambda, density, of.in_units(split));
+    if (std::abs(change) < last_step) {
+      bool const left_here = std::abs(at.energy() - eps * of.e_unit) < same * at.heat_capacity() * at.T;
+      return left_here ? std::optional(density / of.rho_unit) : std::nullopt;
+    }
+    double const slope =
+        (1 - lambda) * at.reactant.entropy_slope() + lambda * at.product.entropy_slope() + of.R;
+    double const missing = S * of.s_unit - of.entropy_of_place(density) - at.entropy();
+    change = std::clamp(missing / slope, -longest_step, longest_step);
+    log_rho += change;
+  }
+  return std::nullopt;
+} catch (PhysicsError const&) {
+  return std::nullopt; // a step led out of a model
+}
+
 PackMask MixedParticle::from_energy(Particles& of, PackedPlaces const& places) const {
   auto const& model = *model_;
   auto const [lambda, density, guess] = model.load(of, places);

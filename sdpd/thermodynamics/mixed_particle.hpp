@@ -6,6 +6,7 @@
 #include "sdpd/thermodynamics/packed_places.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include <memory>
+#include <optional>
 
 namespace mesobridge::sdpd {
 
@@ -50,6 +51,10 @@ class MixedParticle {
     double reactant, product;
   };
   Stiffness stiffness(double lambda, double rho, Split const& split) const;
+  /// The density at which the mixture of this split has the energy and the entropy, which it has left at
+  /// constant entropy for one nearby; nothing where there is none, such as after a change of the entropy.
+  std::optional<double> last_density(double lambda, double eps, double S, Split const& split,
+                                     double nearby) const;
 
   // Neighbours in memory, from their own last states; they return the lanes for which it went well and leave
   // the others as they are.

@@ -38,11 +38,7 @@ class Reacting final : public Thermodynamics {
         [&](Range run) {
           renew(
               of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_entropy(of, places); },
-              [&](std::size_t i) {
-                auto const state = mixed_.from_entropy(of.progress[i], of.rho[i], of.S[i], split(of, i));
-                of.eps[i] = state.eps;
-                take(of, i, state.split);
-              });
+              [&](std::size_t i) { from_entropy(of, i, failure); });
         });
   }
   void from_energy(Particles& of, Range range, Failure& failure) const override {
@@ -141,6 +137,27 @@ class Reacting final : public Thermodynamics {
         throw;
       of.log_density_ratio[i] = no_product;
       reactant_->from_energy(of, {i, i + 1}, failure);
+    }
+  }
+  /// One that a change of its density leads away from where it has a mixture: it counts as reactant from
+  /// where it was, of the energy that it had there.
+  void from_entropy(Particles& of, std::size_t i, Failure& failure) const {
+    double const progress = of.progress[i], rho = of.rho[i];
+    try {
+      auto const state = mixed_.from_entropy(progress, rho, of.S[i], split(of, i));
+      of.eps[i] = state.eps;
+      take(of, i, state.split);
+    } catch (PhysicsError const&) {
+      if (progress >= hardly_burnt)
+        throw;
+      auto const last = mixed_.last_density(progress, of.eps[i], of.S[i], split(of, i), rho);
+      if (!last)
+        throw;
+      of.log_density_ratio[i] = no_product;
+      of.rho[i] = *last;
+      reactant_->from_energy(of, {i, i + 1}, failure);
+      of.rho[i] = rho;
+      reactant_->from_entropy(of, {i, i + 1}, failure);
     }
   }
   template <class F>

@@ -5,8 +5,7 @@
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
-#include <cmath>
-#include <numeric>
+#include "workflows/bench/paired_times.hpp"
 
 namespace mesobridge::workflows {
 namespace {
@@ -88,28 +87,12 @@ std::vector<TimedBox> boxes_of(sdpd::SimulationSettings const& periodic) {
   return boxes;
 }
 
-struct Times {
-  std::vector<double> cost, ratio;
-};
-
-double mean(std::vector<double> const& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double standard_error(std::vector<double> const& values) {
-  double const n = static_cast<double>(values.size()), middle = mean(values);
-  double square = 0;
-  for (double const value : values)
-    square += (value - middle) * (value - middle);
-  return n > 1 ? std::sqrt(square / (n * (n - 1))) : 0;
-}
-
 } // namespace
 
 Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& timing) {
   auto const start = settled(periodic);
   auto boxes = boxes_of(periodic);
-  std::vector<Times> times(boxes.size());
+  std::vector<PairedTimes> times(boxes.size());
   for (int repeat = 0; repeat < timing.repeats; ++repeat)
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       times[k].cost.push_back(boxes[k].time(start, timing.steps));
@@ -118,9 +101,9 @@ Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& tim
   Json rows = Json::array();
   for (std::size_t k = 0; k < boxes.size(); ++k)
     rows.push_back({{"box", boxes[k].name()},
-                    {"us_per_particle_step", mean(times[k].cost)},
-                    {"ratio", mean(times[k].ratio)},
-                    {"ratio_se", standard_error(times[k].ratio)},
+                    {"us_per_particle_step", mean_of_repeats(times[k].cost)},
+                    {"ratio", mean_of_repeats(times[k].ratio)},
+                    {"ratio_se", standard_error_of_repeats(times[k].ratio)},
                     {"neighbours", boxes[k].neighbours()},
                     {"list_renewals_per_step", boxes[k].renewals_per_step()}});
   return rows;

@@ -1,6 +1,7 @@
 #include "sdpd/scheme/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
+#include "workflows/bench/detonation.hpp"
 #include "workflows/bench/faces.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -16,7 +17,7 @@ struct BenchEngineOptions {
   std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas", kernel = Scene().particles.kernel;
   double neighbours = 62;
   std::uint32_t side = 22, along = 0, fluctuate_every = 1;
-  bool faces = false;
+  bool faces = false, detonation = false;
   double K = 100, kappa = 0, progress = 0.5;
   int steps = 20, repeats = 5;
 };
@@ -101,10 +102,33 @@ Result run_faces(BenchEngineOptions const& options, int threads) {
           .text = faces_text(rows)};
 }
 
+/// What a detonation costs beside the ideal gas.
+Result run_detonation(BenchEngineOptions options, int threads) {
+  require(options.method == "sdpd", "--method", options.method, "must be sdpd with --detonation: it reacts");
+  auto const settings = [&](char const* eos) {
+    options.eos = eos;
+    return make(std::type_identity<sdpd::Sdpd>(), options, threads);
+  };
+  std::uint32_t const along = options.along > 0 ? options.along : options.side;
+  auto const rows = time_detonation(settings("ideal-gas"), settings("burning-nitromethane"),
+                                    {.across = options.side,
+                                     .along = along,
+                                     .steps = options.steps,
+                                     .repeats = options.repeats,
+                                     .threads = threads});
+  return {.json = {{"fluids", rows},
+                   {"threads", threads},
+                   {"lattice", {options.side, options.side, along}},
+                   {"repeats", options.repeats}},
+          .text = detonation_times_text(rows)};
+}
+
 Result run(BenchEngineOptions const& options, Context& context) {
   int const threads = context.options.threads.value_or(1);
   if (options.faces)
     return run_faces(options, threads);
+  if (options.detonation)
+    return run_detonation(options, threads);
   bool const densities = sdpd::method_named(options.method).features.densities;
   std::optional<sdpd::Simulation> made;
   sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
@@ -162,6 +186,11 @@ void declare(CLI::App& app, BenchEngineOptions& options) {
   add_bounded(app, "--along", options.along, 0, 10000, "particles along z, if not as many; 0: as many");
   app.add_flag("--faces", options.faces,
                "walls, open faces and a box with 90 % vacuum beside the periodic one, across z");
+  app.add_flag("--detonation", options.detonation,
+               "a detonation of nitromethane between walls, half way through its box, and nitromethane that "
+               "is half "
+               "burnt all over, beside the ideal gas; --side 7 --along 172: the box of its scene")
+      ->excludes("--faces");
   add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
   add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
   add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");

@@ -38,10 +38,37 @@ std::string comment(std::string const& text) {
   return lines + "\n";
 }
 
-/// The lines of a scene, each key below its meaning and what it allows.
-std::string commented(std::string const& name) {
+/// A model that a scene names as a file, and where it looks for it.
+struct ModelOfScene {
+  std::filesystem::path file;
+  std::string_view content;
+  bool was_there = false;
+};
+
+std::vector<ModelOfScene> models_of(std::string const& scene, std::filesystem::path const& folder) {
+  std::vector<ModelOfScene> models;
+  for (auto const& model : built_in_model_files()) {
+    auto const place = std::filesystem::path("models") / model.name, file = folder / place;
+    if (scene.find(fmt::format("\"{}\"", place.string())) != scene.npos)
+      models.push_back({file, model.content, std::filesystem::exists(std::filesystem::symlink_status(file))});
+  }
+  return models;
+}
+
+/// What is there already, such as a fit of the user's own, stays.
+void write_missing(std::vector<ModelOfScene> const& models) {
+  for (auto const& model : models)
+    if (!model.was_there) {
+      std::filesystem::create_directories(model.file.parent_path());
+      write_text_file(model.file, model.content);
+    }
+}
+
+/// The lines of a scene, each key below its meaning and what it allows. The scene's models are in their
+/// places beside `file`.
+std::string commented(std::string const& name, std::filesystem::path const& file) {
   auto const text = text_of(name);
-  auto const units = parse_scene(text, name).units;
+  auto const units = parse_scene(text, file).units;
   auto result = comment(fmt::format("The scene that `mesobridge new {}` writes. `mesobridge check` prints it "
                                     "with every key that is left out here; `mesobridge check --keys` "
                                     "explains them all.",
@@ -60,16 +87,22 @@ std::string commented(std::string const& name) {
 }
 
 Result write_scene(std::string const& name, Context const& context) {
-  auto const text = commented(name);
+  auto const scene = text_of(name);
   auto const file = context.options.output.value_or(name + ".toml");
   require(!std::filesystem::exists(std::filesystem::symlink_status(file)), "--output", file.string(),
           "is there already: take another name, or remove it");
-  write_text_file(file, text);
-  return {.json = {{"file", file.string()}, {"scene", name}},
-          .text =
-              fmt::format("{0}\n`mesobridge check {0}` estimates what it costs, `mesobridge run {0}` runs it",
-                          file.string()),
-          .complaint = ""};
+  auto const models = models_of(scene, file.parent_path());
+  write_missing(models);
+  write_text_file(file, commented(name, file));
+  Result result{.json = {{"file", file.string()}, {"scene", name}}, .text = "", .complaint = ""};
+  for (auto const& model : models) {
+    result.json["models"].push_back(model.file.string());
+    result.text +=
+        fmt::format("{}{}\n", model.file.string(), model.was_there ? " was there already and stays" : "");
+  }
+  result.text += fmt::format(
+      "{0}\n`mesobridge check {0}` estimates what it costs, `mesobridge run {0}` runs it", file.string());
+  return result;
 }
 
 void declare(CLI::App& app, std::string& name) {

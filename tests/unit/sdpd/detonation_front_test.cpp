@@ -12,6 +12,7 @@ constexpr double D = 7, u = 3, length = 6; // of the wave, the flow behind it an
 struct Wave {
   double noise = 0.1, acceleration = 0;
   int slices = 400;
+  bool comes_back = false; ///< from the far end, behind it the flow at rest
 
   ShockScale scale() const {
     ShockScale of{.position = {}, .v_P = u, .spacing = 1};
@@ -24,11 +25,13 @@ struct Wave {
     std::normal_distribution<double> G(0, noise);
     std::vector<DetonationFrame> all;
     for (int k = 0; k < count; ++k) {
-      double const time = 0.5 * k, front = D * time + 0.5 * acceleration * time * time;
+      double const time = 0.5 * k, way = D * time + 0.5 * acceleration * time * time;
+      bool const back = comes_back && way > slices;
+      double const front = back ? 2 * slices - way : way;
       DetonationFrame frame{{.time = time, .piston = 0, .velocity = {}, .rho = {}, .P = {}, .T = {}}, {}};
       for (double const z : scale().position) {
         double const shocked = 0.5 * (1 - std::tanh(2 * (z - front)));
-        double const x = std::max(front - z, 0.0);
+        double const x = back ? slices : std::max(front - z, 0.0);
         frame.flow.velocity.push_back(u * shocked + G(generator));
         frame.flow.rho.push_back(1 + shocked + G(generator));
         frame.flow.P.push_back(20 * shocked + G(generator));
@@ -93,6 +96,16 @@ TEST(DetonationFront, LeavesOutSlicesThatAPistonHasLeft) {
     }
   EXPECT_GT(compared, 15u);
   EXPECT_LT(found->profile.depth.front(), -40);
+}
+
+TEST(DetonationFront, IsFollowedToTheFarEndOnly) {
+  Wave wave;
+  auto const before = steady_detonation(wave.frames(112), wave.scale(), 0.3);
+  wave.comes_back = true;
+  auto const after = steady_detonation(wave.frames(180), wave.scale(), 0.3);
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(after->times, before->times);
+  EXPECT_EQ(after->D.mean, before->D.mean);
 }
 
 TEST(DetonationFront, IsNotFoundWhereThereIsNone) {

@@ -23,6 +23,7 @@ class OneMixture {
   }
   MixtureFate fate() const { return thermodynamics_->fate(of, 0); }
   double density() const { return of.rho[0] * units_.density; }
+  double energy() const { return of.eps[0] * units_.specific_energy(); }
   double pressure() const { return of.P[0] * units_.pressure(); }
 
   /// By an isentropic change of the density, as in a step; whether there is a state.
@@ -86,6 +87,45 @@ TEST(MixtureFate, LetsATraceOfProductWaitWhereItsModelEnds) {
   mixture.find_by_energy();
   EXPECT_FALSE(mixture.failure.any()) << mixture.failure.message();
   EXPECT_EQ(mixture.fate(), MixtureFate::goes_on);
+}
+
+/// Compressed until it would be told to wait, and a step back.
+void bring_to_the_edge(OneMixture& mixture) {
+  while (mixture.fate() == MixtureFate::goes_on)
+    ASSERT_TRUE(mixture.change_density(1.002));
+  ASSERT_TRUE(mixture.change_density(1 / 1.002));
+  ASSERT_EQ(mixture.fate(), MixtureFate::goes_on);
+}
+
+// As before a wall, where a front that comes back compresses it by a tenth between two looks.
+TEST(MixtureFate, ATraceOfProductMayComeToItsEndWithinOneStep) {
+  fitting::Hz const reactant(fitting::nitromethane_parameters);
+  int ended = 0;
+  for (double const lambda : {2e-4, 0.003}) {
+    OneMixture mixture(lambda, 1300, 600);
+    bring_to_the_edge(mixture);
+    double const e = mixture.energy(), rho = mixture.density();
+    EXPECT_TRUE(mixture.change_density(1.05)) << mixture.failure.message();
+    EXPECT_EQ(mixture.of.log_density_ratio[0], no_product);
+    // From the state that it left, as the pure reactant does without loss of heat.
+    double const expected = reactant.energy_from_entropy(reactant.entropy(e, rho), mixture.density());
+    EXPECT_NEAR(mixture.energy(), expected, 1e-8 * (expected - e));
+    EXPECT_GT(expected - e, 0.1 * e);
+    EXPECT_NEAR(mixture.pressure() / reactant.pressure(expected, mixture.density()), 1, 1e-9);
+    mixture.find_by_energy(); // and so it goes on
+    EXPECT_FALSE(mixture.failure.any()) << mixture.failure.message();
+    ++ended;
+  }
+  EXPECT_EQ(ended, 2);
+}
+
+// Nothing is known of where an entropy that was changed comes from: the run ends, with the cause.
+TEST(MixtureFate, AnEntropyWithoutAMixtureIsRefused) {
+  OneMixture mixture(0.003, 1300, 600);
+  bring_to_the_edge(mixture);
+  mixture.of.S[0] -= 2000; // of some thousands
+  EXPECT_FALSE(mixture.change_density(1));
+  EXPECT_NE(mixture.failure.message().find("mixture of progress"), std::string::npos);
 }
 
 } // namespace

@@ -99,5 +99,24 @@ TEST(BenchEngine, TimesWallsOpenFacesAndVacuumBesideThePeriodicBox) {
   EXPECT_NEAR(rows[2]["neighbours"].get<double>() / rows[3]["neighbours"].get<double>(), 1, 1e-3);
 }
 
+TEST(BenchEngine, TimesADetonationBesideTheIdealGas) {
+  auto const result = tests::program({"bench", "engine", "--detonation", "--side", "6", "--along", "48",
+                                      "--steps", "2", "--repeats", "3", "--threads", "1", "--json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const rows = Json::parse(result.output)["fluids"];
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0]["ratio"], 1.0);
+  EXPECT_EQ(rows[0]["mixtures"], 0.0);
+  EXPECT_GT(rows[1]["mixtures"].get<double>(), 0.99);
+  double const zone = rows[2]["mixtures"]; // behind unburnt particles, before the burnt ones of the beginning
+  EXPECT_GT(zone, 0.05);
+  EXPECT_LT(zone, 0.7);
+  for (auto const& row : rows)
+    EXPECT_GT(row["us_per_particle_step"].get<double>(), 0) << row;
+  auto const other = tests::program({"bench", "engine", "--detonation", "--method", "dpd"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.errors.find("--method"), std::string::npos) << other.errors;
+}
+
 } // namespace
 } // namespace mesobridge::workflows

@@ -81,6 +81,20 @@ TEST(ReactionRun, WritesTheProgressEverywhere) {
   EXPECT_EQ(above, (std::vector<std::int64_t>{0, 0, 0, 0}));
 }
 
+// The fluid before the wall is compressed twice, by more than products of a trace stand.
+TEST(ReactionRun, ADetonationMayRunIntoAWall) {
+  ScratchDirectory const scratch;
+  auto const result = run_process(
+      {MESOBRIDGE_PROGRAM, "run", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/detonation-nitromethane.toml",
+       "--quiet", "--threads", "1", "-o", (scratch / "run").string(), "--set",
+       "box.size=[\"14.66 nm\", \"14.66 nm\", \"80 nm\"]", "--set", "run.steps=700"});
+  EXPECT_EQ(result.errors.find("mixture of progress"), std::string::npos) << result.errors;
+  ASSERT_TRUE(std::filesystem::exists(scratch / "run" / "summary.json")) << result.errors;
+  auto const summary = read_json(scratch / "run" / "summary.json");
+  EXPECT_GT(summary["progress"].get<double>(), 0.99);
+  EXPECT_LT(std::abs(summary["energy_balance_error"].get<double>()), 3e-3);
+}
+
 TEST(ReactionRun, EndsWithTheCauseWhereNoMixtureIs) {
   ScratchDirectory const scratch;
   auto const done = ran(scratch.path(), "run", {"fluid.rho=600 kg/m^3", "reaction.progress=0.9"});

@@ -1,0 +1,109 @@
+#include "workflows/bench/detonation.hpp"
+#include "md/error.hpp"
+#include "md/processor_clock.hpp"
+#include "sdpd/setup/equilibration.hpp"
+#include "sdpd/simulation.hpp"
+#include "sdpd/thermodynamics/reacting.hpp"
+#include "workflows/bench/paired_times.hpp"
+#include "workflows/built_in.hpp"
+#include "workflows/scene/keys.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include <algorithm>
+
+namespace mesobridge::workflows {
+namespace {
+
+constexpr std::string_view scene_of_detonation = "detonation-nitromethane.toml";
+constexpr double D = 6767;              ///< of Chapman and Jouguet [m/s]
+constexpr double steps_to_a_zone = 200; ///< 4 ps; it is 2.8 ps long
+
+struct TimedDetonation {
+  sdpd::SimulationSettings settings;
+  std::uint64_t steps_before; ///< until its front is in the middle of the box
+};
+
+/// The scene in another box.
+TimedDetonation detonation_in_box(DetonationTiming const& timing) {
+  auto const scenes = built_in_scenes();
+  auto const file = std::ranges::find(scenes, scene_of_detonation, &BuiltIn::name);
+  auto scene = parse_scene(std::string(file->content), scene_of_detonation);
+  auto const units = settings_of(scene, timing.threads).units();
+  double const l = units.length(), across = timing.across * l, along = timing.along * l;
+  double const way = 0.5 * along - scene.regions.at(0).to.at(0).of(along);
+  require(way > 0, "--along", timing.along, "must be at least 40 for a detonation, whose beginning is in it");
+  scene.box.size = {across, across, along};
+  auto const settings = settings_of(scene, timing.threads);
+  double const steps = way / (D * settings.dt * units.time());
+  return {settings, static_cast<std::uint64_t>(std::max(steps, steps_to_a_zone))};
+}
+
+double share_of_mixtures(sdpd::Simulation const& simulation) {
+  auto const progress = simulation.snapshot().progress;
+  auto const mixed = std::ranges::count_if(
+      progress, [](double of) { return of >= sdpd::pure_below && of <= sdpd::pure_above; });
+  return static_cast<double>(mixed) / static_cast<double>(simulation.size());
+}
+
+/// A fluid that goes on from repeat to repeat.
+struct TimedFluid {
+  std::string name;
+  sdpd::Simulation simulation;
+  PairedTimes times = {};
+  std::vector<double> mixtures = {};
+
+  /// Microseconds per particle and step.
+  double time(int steps) {
+    double const before = share_of_mixtures(simulation);
+    md::ProcessorClock const clock;
+    simulation.advance(static_cast<std::uint64_t>(steps));
+    double const seconds = clock.seconds();
+    mixtures.push_back(0.5 * (before + share_of_mixtures(simulation)));
+    return seconds * 1e6 / (static_cast<double>(simulation.size()) * steps);
+  }
+};
+
+TimedFluid settled_fluid(std::string name, sdpd::SimulationSettings const& settings) {
+  TimedFluid fluid{std::move(name), sdpd::Simulation(settings)};
+  sdpd::equilibrate(fluid.simulation, 64, [] { return true; });
+  return fluid;
+}
+
+} // namespace
+
+Json time_detonation(sdpd::SimulationSettings const& ideal_gas, sdpd::SimulationSettings const& all_mixtures,
+                     DetonationTiming const& timing) {
+  std::vector<TimedFluid> fluids;
+  fluids.push_back(settled_fluid("ideal gas", ideal_gas));
+  fluids.push_back(settled_fluid("all half burnt", all_mixtures));
+  auto const detonation = detonation_in_box(timing);
+  fluids.push_back({"detonation", sdpd::Simulation(detonation.settings)});
+  fluids.back().simulation.advance(detonation.steps_before);
+  for (int repeat = 0; repeat < timing.repeats; ++repeat)
+    for (auto& fluid : fluids) {
+      fluid.times.cost.push_back(fluid.time(timing.steps));
+      fluid.times.ratio.push_back(fluid.times.cost.back() / fluids[0].times.cost.back());
+    }
+  Json rows = Json::array();
+  for (auto const& fluid : fluids)
+    rows.push_back({{"fluid", fluid.name},
+                    {"n", fluid.simulation.size()},
+                    {"us_per_particle_step", mean_of_repeats(fluid.times.cost)},
+                    {"ratio", mean_of_repeats(fluid.times.ratio)},
+                    {"ratio_se", standard_error_of_repeats(fluid.times.ratio)},
+                    {"neighbours", fluid.simulation.neighbours()},
+                    {"mixtures", mean_of_repeats(fluid.mixtures)}});
+  return rows;
+}
+
+std::string detonation_times_text(Json const& rows) {
+  std::string text = fmt::format("{:<16} {:>20} {:>24} {:>12} {:>10}\n", "fluid", "us/(particle step)",
+                                 "times the ideal gas", "neighbours", "mixtures");
+  for (auto const& row : rows)
+    text += fmt::format("{:<16} {:>20.3f} {:>14.3f} +- {:.3f} {:>12.1f} {:>10.4f}\n",
+                        row["fluid"].get<std::string>(), row["us_per_particle_step"].get<double>(),
+                        row["ratio"].get<double>(), row["ratio_se"].get<double>(),
+                        row["neighbours"].get<double>(), row["mixtures"].get<double>());
+  return text;
+}
+
+} // namespace mesobridge::workflows
