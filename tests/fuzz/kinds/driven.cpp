@@ -26,8 +26,8 @@ std::string judge_reacting(Trial const& trial, std::vector<Outcome> const& outco
   if (checked.status == 0 && ran.status == 2)
     return "check takes what run refuses";
   auto const refusal = [](std::string const& printed) {
-    auto const from = printed.find("error: ");
-    return from == std::string::npos ? printed : printed.substr(from, printed.find('\n', from) - from);
+    auto const from = printed.find("mesobridge: "); // after warnings
+    return from == std::string::npos ? printed : printed.substr(from);
   };
   if (checked.status == 2 && refusal(checked.printed) != refusal(ran.printed))
     return "check and run refuse in other words";
