@@ -158,7 +158,7 @@ Section sound_section(std::vector<std::int64_t> const& lengths, int threads, Jso
 } // namespace
 
 Reproduced reproduce_exact_solutions(ReproduceOptions const& options, Context const& context) {
-  std::vector<std::int64_t> resolutions{25, 50, 100, 200};
+  std::vector<std::int64_t> resolutions{40, 60, 100, 200};
   if (options.preset != md::Preset::quick)
     resolutions = {100, 200, 400, 800};
   auto progress = context.progress("Exact solutions", 1);

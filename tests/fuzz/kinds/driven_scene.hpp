@@ -41,6 +41,9 @@ class DrivenScene {
                                           {"eos = \"nitromethane-products\"", 1600, 3500},
                                           {"eos = \"pbx-9502-products\"", 1900, 3000},
                                           {"eos = \"water\"", 997, 300}});
+    if (reacts_ && material.keys.find("argon") != std::string::npos &&
+        random_.chance(0.8)) // argon cannot react
+      material = {"eos = \"nitromethane\"", 1700, 2500};
     std::optional<ReactionText> reaction;
     if (reacts_)
       reaction.emplace(random_);
@@ -138,7 +141,7 @@ class DrivenScene {
 
   std::string run() {
     std::string const measured =
-        reacts_ && random_.chance(0.3) ? "[series]\nevery = 16\n[histogram]\nevery = 32\n" : "";
+        reacts_ && random_.chance(0.3) ? "[series]\nevery = 4\n[histogram]\nevery = 32\n" : "";
     return measured +
            fmt::format(
                "[run]\nequilibrate = {}\nsteps = {}\nsample_every = 2\ncheckpoint_every = 0\nseed = {}\n"

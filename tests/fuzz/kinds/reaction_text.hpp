@@ -78,7 +78,7 @@ class ReactionText {
 
   std::string parameter_line(sdpd::Parameter const& parameter) {
     double const value = (random_.chance(0.01)   ? -1
-                          : random_.chance(0.05) ? 0
+                          : random_.chance(0.02) ? 0
                                                  : 1) *
                          usual(parameter.dimension);
     return parameter.dimension ? fmt::format("{} = \"{:.4g} {}\"\n", parameter.name, value,
