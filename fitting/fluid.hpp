@@ -22,6 +22,10 @@ class Fluid {
   /// k_B/m0, the natural unit of heat capacities.
   double gas_constant() const { return model_->gas_constant(); }
 
+  /// The same fluid with a mean field, e + a rho and P + a rho^2 at given rho and T, which leaves entropies
+  /// as they are (fitting/README.md, Eq. (F27)). Any sign of a.
+  Fluid with_mean_field(double a) const { return Fluid(std::make_shared<MeanField const>(model_, a)); }
+
  private:
   struct Interface {
     virtual ~Interface() = default;
@@ -46,6 +50,37 @@ class Fluid {
     double gas_constant() const override { return eos.boltzmann() / eos.molecular_mass(); }
     E eos;
   };
+
+  struct MeanField : Interface {
+    MeanField(std::shared_ptr<Interface const> without, double a) : inner(std::move(without)), a(a) {}
+    EosState at_temperature(double rho, double T) const override {
+      return add(inner->at_temperature(rho, T));
+    }
+    EosState at_energy(double rho, double e) const override {
+      return add(inner->at_energy(rho, e - a * rho));
+    }
+    EosState at_entropy(double rho, double s) const override { return add(inner->at_entropy(rho, s)); }
+    double pressure(double rho, double e) const override {
+      return inner->pressure(rho, e - a * rho) + a * rho * rho;
+    }
+    Domain domain() const override { return inner->domain(); }
+    double gas_constant() const override { return inner->gas_constant(); }
+    EosState add(EosState state) const {
+      double const e = a * state.rho;
+      state.e += e, state.free_energy += e, state.P += e * state.rho;
+      state.sound_speed_squared += 2 * e;
+      state.sound_speed.reset();
+      if (state.sound_speed_squared >= 0)
+        state.sound_speed = std::sqrt(state.sound_speed_squared);
+      if (state.alpha_r)
+        *state.alpha_r += e / (gas_constant() * state.T);
+      return state;
+    }
+    std::shared_ptr<Interface const> inner;
+    double a;
+  };
+
+  explicit Fluid(std::shared_ptr<Interface const> model) : model_(std::move(model)) {}
 
   std::shared_ptr<Interface const> model_;
 };

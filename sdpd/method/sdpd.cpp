@@ -60,8 +60,7 @@ void check_reaction(Sdpd const& fluid, SimulationSettings const& at) {
   require(any_number.contains(reaction.heat), "heat of reaction", reaction.heat, any_number.demand());
   require(reaction.shares.contains(reaction.progress), "progress of the reaction", reaction.progress,
           reaction.shares.demand());
-  MixedParticle const made({fluid.eos, reaction.product, reaction.additive_volumes}, fluid.units(at),
-                           centre_of_mass_of(fluid, at)); // which refuses what cannot be mixed
+  thermodynamics_of(fluid, at); // which refuses what cannot be mixed, and what cannot be pure
 }
 
 std::optional<Reaction> reaction_of(Sdpd const& fluid, ReducedUnits const& units) {

@@ -114,7 +114,8 @@ std::vector<NamedShock> equations(MdPistonShockOptions const& options, Ahead con
   if (!options.metal.empty())
     return {};
   try {
-    return argon_shocks(ahead.rho0, ahead.T0, ahead.v_P);
+    auto const cutoff = options.cutoff.value_or(md::LjPistonSettings().cutoff);
+    return argon_shocks(ahead.rho0, ahead.T0, ahead.v_P, cutoff);
   } catch (PhysicsError const&) {
     return {};
   }
@@ -169,6 +170,7 @@ Report report_of(MdPistonShockOptions const& options, Ahead const& ahead, Piston
        {shock_table(rows, exact, published("thesis-table-5.2.csv"),
                     "R.-H.: by the relations of Rankine and Hugoniot with equations of state of the "
                     "Lennard-Jones fluid.")}});
+  report.sections.push_back(equations_section(&row, exact));
   return report;
 }
 
@@ -194,9 +196,10 @@ Result piston_shock(MdPistonShockOptions const& options, Context const& context)
                {"v_P_m_s", ahead.v_P},        {"seed", seed}};
   if (shock)
     put_shock(summary, *shock, units_of(ahead));
-  for (auto const& one : exact)
-    summary["equations_of_state"].push_back(
-        {{"model", one.key}, {"rankine_hugoniot", shock_json(one.shock)}});
+  if (!exact.empty()) {
+    auto const row = shock ? std::optional(md_row(data, *shock)) : std::nullopt;
+    summary["rankine_hugoniot_by_equation"] = equations_json(row ? &*row : nullptr, exact);
+  }
   auto report =
       report_of(options, ahead, data, shock, exact, {context.command_line(), seed, "", {job.file()}});
   auto text = text_of(data, shock, exact);

@@ -12,6 +12,7 @@ namespace {
 
 struct ReproduceCommandOptions {
   std::string name, preset = "quick";
+  std::optional<std::string> fit;
 };
 
 Result list_all() {
@@ -38,6 +39,8 @@ Result reproduce(ReproduceCommandOptions const& options, Context const& context)
   if (options.name == "list")
     return list_all();
   auto const& wanted = find(options.name);
+  require(!options.fit || wanted.takes_fit, "--fit", options.fit.value_or(""),
+          "belongs to table-5.2, figure-5.5 and figure-5.6");
   auto const directory = context.output_directory("out/" + wanted.name);
   FolderLock const lock(directory, context.command_line());
   auto const& common = context.options;
@@ -45,12 +48,15 @@ Result reproduce(ReproduceCommandOptions const& options, Context const& context)
   auto found = wanted.run({.preset = preset_of(options.preset),
                            .directory = directory,
                            .seed = seed,
-                           .threads = common.threads.value_or(available_threads())},
+                           .threads = common.threads.value_or(available_threads()),
+                           .fit = options.fit},
                           context);
   constexpr char const* thesis = "Faure 2017"; // which every reproduction is compared with
   if (auto& sources = found.report.sources; std::ranges::find(sources, thesis) == sources.end())
     sources.insert(sources.begin(), thesis);
   found.report.provenance = {context.command_line(), seed, "", {}};
+  if (options.fit)
+    found.report.provenance.inputs.emplace_back(*options.fit);
   Json summary = {{"name", wanted.name}, {"shows", wanted.shows}, {"preset", options.preset}, {"seed", seed}};
   summary.update(found.summary);
   return with_report(directory, std::move(summary), found.report.html());
@@ -59,6 +65,10 @@ Result reproduce(ReproduceCommandOptions const& options, Context const& context)
 void declare(CLI::App& app, ReproduceCommandOptions& options) {
   app.add_option("name", options.name, "list, or a name of that list")->required();
   add_preset(app, options.preset, "how long to work: a minute or two, an hour, a day");
+  app.add_option("--fit", options.fit,
+                 "Of table-5.2: a file of `fit lj-bwr` (lj-bwr.toml of `workflow lj-to-sdpd`), one more "
+                 "equation of state beside the published ones")
+      ->type_name("FILE");
 }
 
 } // namespace

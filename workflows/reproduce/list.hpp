@@ -1,6 +1,7 @@
 #pragma once
 #include "workflows/lj/preset.hpp"
 #include "workflows/report/report.hpp"
+#include <optional>
 
 namespace mesobridge::workflows {
 
@@ -17,6 +18,7 @@ struct ReproduceOptions {
   std::filesystem::path directory; ///< exists
   std::uint64_t seed = 1;
   int threads = 1;
+  std::optional<std::string> fit = std::nullopt; ///< a fitted equation of the Lennard-Jones fluid
 };
 
 /// A figure or table of the thesis: ours beside the printed one.
@@ -24,6 +26,7 @@ struct Reproduction {
   std::string name;  ///< "table-4.1"
   std::string shows; ///< one line
   std::function<Reproduced(ReproduceOptions const&, Context const&)> run;
+  bool takes_fit = false; ///< compares with ReproduceOptions::fit, too
 };
 
 /// Every figure and table that the program reproduces, in the order of the thesis. A new one is its own file

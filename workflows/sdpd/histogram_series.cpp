@@ -10,6 +10,7 @@ namespace mesobridge::workflows {
 namespace {
 
 std::string const root = "histogram";
+constexpr double least_width = 1e-9; ///< of all bins, in the values themselves: far above round-off
 
 void append_one(Store& store, std::string const& path, std::int64_t value) {
   store.append(path, std::span<std::int64_t const>(&value, 1));
@@ -40,10 +41,11 @@ HistogramSeries::Bins HistogramSeries::bins_of(Quantity const& of) {
   bool const bounded = std::isfinite(of.range.min) && std::isfinite(of.range.max);
   Bins const bins = bounded ? Bins{of.range.min, std::nextafter(of.range.max, 2 * of.range.max)}
                             : Bins{mean - reach_ * sd, mean + reach_ * sd};
-  if (!(bins.lower < bins.upper))
-    throw PhysicsError(fmt::format("histogram '{}': all particles have the value {:.6g} at the first one, so "
-                                   "that its bins have no width; equilibrate first",
-                                   of.group, mean * of.unit));
+  if (!(bins.upper - bins.lower > least_width * std::max(std::abs(bins.lower), std::abs(bins.upper))))
+    throw PhysicsError(fmt::format(
+        "histogram.quantities = {}: all particles have the value {:.6g} at the first one, so that its bins "
+        "have no width; equilibrate first, or name others",
+        of.group.substr(root.size() + 1), mean * of.unit));
   std::vector<double> edges(bins_ + 1);
   for (std::size_t b = 0; b <= bins_; ++b)
     edges[b] =

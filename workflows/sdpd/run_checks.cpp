@@ -1,5 +1,7 @@
 #include "workflows/sdpd/run_checks.hpp"
+#include "fitting/eos/linear_isochore.hpp"
 #include "sdpd/method/settings.hpp"
+#include "sdpd/thermodynamics/particle_eos.hpp"
 #include "workflows/scene/checks.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/study/automatic_dt.hpp"
@@ -60,6 +62,43 @@ void check_state(Scene const& scene) {
   }
 }
 
+/// What a reaction asks of a model: its heat capacity and the mass of a molecule.
+struct PartOfReaction {
+  bool constant_c_v;
+  double c_v, m0; ///< the former in k_B a molecule
+};
+
+PartOfReaction part_of(fitting::AnyEos const& any) {
+  return std::visit(
+      []<class Model>(Model const& of) -> PartOfReaction {
+        if constexpr (fitting::LinearModel<Model>)
+          return {true, of.c_v() * of.molecular_mass() / of.boltzmann(), of.molecular_mass()};
+        else
+          return {false, 0, of.molecular_mass()};
+      },
+      any);
+}
+
+/// A particle may become all product, which has fewer molecules where these are heavier.
+void check_parts_of_reaction(Scene const& scene) {
+  if (!scene.features().reacts)
+    return;
+  auto const reactant = part_of(eos_of(scene)), product = part_of(product_of(scene));
+  auto const& name = scene.reaction.product.value();
+  for (auto const& [key, value, part] :
+       {std::tuple("fluid.eos", scene.fluid.eos, reactant), {"reaction.product", name, product}})
+    require(part.constant_c_v, key, value,
+            "cannot be a part of a fluid that reacts: models with a constant heat capacity can");
+  double const K = scene.particles.K, molecules = K * reactant.m0 / product.m0;
+  bool const free = scene.noise() && scene.fluid.centre_of_mass == "free";
+  double const C = molecules * product.c_v - (free ? 1.5 : 0);
+  require((!free || molecules >= 1) && C > sdpd::least_heat_capacity, "particles.K", K,
+          fmt::format("is too small: as reaction.product = \"{}\" a particle is {:.4g} molecules of the heat "
+                      "capacity {:.4g} k_B{}; it must be one at least, of more than {} k_B",
+                      name, molecules, C, free ? " without its centre of mass" : "",
+                      sdpd::least_heat_capacity));
+}
+
 } // namespace
 
 sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
@@ -72,6 +111,7 @@ sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
 void check_run(Scene const& scene, int threads) {
   check_steps(scene.run);
   check_state(scene);
+  check_parts_of_reaction(scene);
   if (scene.box == Scene::Box{} && scene.regions.empty()) // of others the engine says what they lack
     check_box(scene, threads);
   auto const settings = settings_for_check(scene, threads);

@@ -1,72 +1,39 @@
 #include "workflows/shock_study/shock_tables.hpp"
-#include "fitting/eos/list.hpp"
-#include "md/units.hpp"
 #include "workflows/report/check.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/run_plots.hpp"
+#include "workflows/shock_study/shock_quantities.hpp"
 #include "workflows/summary.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
 
-/// One of the four that a shock is told by.
-struct Quantity {
-  std::string name, unit, key;
-  double factor; ///< from SI to the printed unit
-  std::string printed;
-  double printed_factor; ///< from the printed unit to SI
-  cg::Estimate ShockRow::*of_row;
-  double (*of_shock)(fitting::Shock const&);
-};
-
-std::vector<Quantity> const& quantities() {
-  static std::vector<Quantity> const list{
-      {"v_S", "m/s", "v_S_m_s", 1, "v_S_m_s", 1, &ShockRow::v_S, [](auto const& s) { return s.v_S; }},
-      {"rho", "kg/m^3", "rho_kg_m3", 1, "rho_kg_m3", 1, &ShockRow::rho,
-       [](auto const& s) { return s.behind.rho; }},
-      {"P", "GPa", "P_Pa", 1e-9, "P_GPa", 1e9, &ShockRow::P, [](auto const& s) { return s.behind.P; }},
-      {"T", "K", "T_K", 1, "T_K", 1, &ShockRow::T, [](auto const& s) { return s.behind.T; }}};
-  return list;
-}
-
 cg::Estimate in(cg::Estimate const& e, double unit) {
   return {e.mean * unit, e.se * unit, e.n_eff};
 }
 
-/// A shock of the reduced fluid in the units of argon.
-fitting::Shock in_argon_units(fitting::Shock shock) {
-  for (auto* state : {&shock.ahead, &shock.behind})
-    state->rho *= argon_units.density(), state->P *= argon_units.pressure(),
-        state->T *= argon_units.temperature(), state->e *= argon_units.specific_energy();
-  shock.v_S *= argon_units.velocity(), shock.v_P *= argon_units.velocity();
-  return shock;
+} // namespace
+
+std::vector<ShockQuantity> const& shock_quantities() {
+  static std::vector<ShockQuantity> const list{{"v_S", "m/s", "v_S_m_s", 1, "v_S_m_s", 1, &ShockRow::v_S,
+                                                [](auto const& s) { return s.v_S; }, &ShockErrors::v_S},
+                                               {"rho", "kg/m^3", "rho_kg_m3", 1, "rho_kg_m3", 1,
+                                                &ShockRow::rho, [](auto const& s) { return s.behind.rho; },
+                                                &ShockErrors::rho},
+                                               {"P", "GPa", "P_Pa", 1e-9, "P_GPa", 1e9, &ShockRow::P,
+                                                [](auto const& s) { return s.behind.P; }, &ShockErrors::P},
+                                               {"T", "K", "T_K", 1, "T_K", 1, &ShockRow::T,
+                                                [](auto const& s) { return s.behind.T; }, &ShockErrors::T}};
+  return list;
 }
 
-std::string digits_of(Quantity const& quantity, double si) {
-  return number_text(si * quantity.factor, 5);
-}
-
-/// rho counts as mass per volume: the particles' own densities are a sum over neighbours.
-cg::Estimate judged(ShockRow const& row, Quantity const& quantity) {
+cg::Estimate judged(ShockRow const& row, ShockQuantity const& quantity) {
   return quantity.name == "rho" ? row.mass_per_volume : row.*quantity.of_row;
 }
 
-} // namespace
-
-fitting::Shock argon_shock(std::string const& material, double rho, double T, double v_P) {
-  bool const reduced = material != "argon";
-  if (reduced)
-    rho /= argon_units.density(), T /= argon_units.temperature(), v_P /= argon_units.velocity();
-  fitting::Fluid const fluid(fitting::material(material).eos);
-  auto const shock = fitting::Hugoniot(fluid, fluid.at_temperature(rho, T)).from_piston(v_P);
-  return reduced ? in_argon_units(shock) : shock;
-}
-
-std::vector<NamedShock> argon_shocks(double rho, double T, double v_P) {
-  return {{"argon", "BWR of 1993", argon_shock("argon", rho, T, v_P)},
-          {"lj-kn", "Kolafa and Nezbeda", argon_shock("lj-kn", rho, T, v_P)},
-          {"lj-thol", "Thol et al.", argon_shock("lj-thol", rho, T, v_P)}};
+std::string digits_of(ShockQuantity const& quantity, double si) {
+  return number_text(si * quantity.factor, 5);
 }
 
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {
@@ -89,7 +56,7 @@ ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {
 
 Json shock_json(fitting::Shock const& shock) {
   Json json;
-  for (auto const& q : quantities())
+  for (auto const& q : shock_quantities())
     json[q.key] = q.of_shock(shock);
   return json;
 }
@@ -106,12 +73,12 @@ Json row_json(ShockRow const& row, PublishedTable const& printed, std::string co
   }
   if (row.Re_l)
     json["Re_l"] = *row.Re_l;
-  for (auto const& q : quantities())
+  for (auto const& q : shock_quantities())
     put(json, q.key, row.*q.of_row);
   put(json, "mass_per_volume_kg_m3", row.mass_per_volume);
   put(json, "T_kin_K", row.T_kin);
   if (!printed_row.empty())
-    for (auto const& q : quantities())
+    for (auto const& q : shock_quantities())
       json["printed_" + q.key] = printed.value(printed_row, q.printed) * q.printed_factor;
   return json;
 }
@@ -119,7 +86,7 @@ Json row_json(ShockRow const& row, PublishedTable const& printed, std::string co
 Table shock_table(std::vector<ShownRow> const& rows, std::vector<NamedShock> const& exact,
                   PublishedTable const& printed, std::string const& caption) {
   Table table{.header = {"model", "K", "eta [Pa s]", "Re_l"}, .rows = {}, .caption = caption};
-  for (auto const& q : quantities()) {
+  for (auto const& q : shock_quantities()) {
     table.header.push_back(fmt::format("{} [{}]", q.name, q.unit));
     if (q.name == "rho")
       table.header.push_back("mass/volume");
@@ -130,7 +97,7 @@ Table shock_table(std::vector<ShownRow> const& rows, std::vector<NamedShock> con
     std::vector<std::string> cells{row.model, fmt::format("{:g}", row.K),
                                    row.eta > 0 ? fmt::format("{:g}", row.eta) : "",
                                    row.Re_l ? number_text(*row.Re_l, 3) : ""};
-    for (auto const& q : quantities()) {
+    for (auto const& q : shock_quantities()) {
       cells.push_back(row.failed() ? "fails" : with_error_text(in(row.*q.of_row, q.factor)));
       if (q.name == "rho")
         cells.push_back(row.failed() ? "" : with_error_text(row.mass_per_volume));
@@ -141,7 +108,7 @@ Table shock_table(std::vector<ShownRow> const& rows, std::vector<NamedShock> con
   }
   for (std::size_t k = 0; k < exact.size(); ++k) {
     std::vector<std::string> cells{"R.-H., " + exact[k].name, "", "", ""};
-    for (auto const& q : quantities()) {
+    for (auto const& q : shock_quantities()) {
       cells.push_back(digits_of(q, q.of_shock(exact[k].shock)));
       if (q.name == "rho")
         cells.push_back("");
@@ -156,7 +123,7 @@ Table shock_table(std::vector<ShownRow> const& rows, std::vector<NamedShock> con
 std::vector<VerdictLine> shock_verdicts(std::vector<ShockRow> const& rows, fitting::Shock const& exact,
                                         double bound, std::string const& of) {
   std::vector<VerdictLine> lines;
-  for (auto const& q : quantities()) {
+  for (auto const& q : shock_quantities()) {
     double const expected = q.of_shock(exact);
     // How many standard errors a row is beyond the bound.
     auto const excess = [&](ShockRow const& row) {

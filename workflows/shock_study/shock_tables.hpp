@@ -4,24 +4,9 @@
 #include "workflows/report/report.hpp"
 #include "workflows/reproduce/published.hpp"
 #include "workflows/sdpd/shock.hpp"
-#include "workflows/shock_study/shock_runs.hpp"
+#include "workflows/shock_study/argon_equations.hpp"
 
 namespace mesobridge::workflows {
-
-/// A shock by the relations of Rankine and Hugoniot, and by which equation of state.
-struct NamedShock {
-  std::string key;  ///< for programs: "argon"
-  std::string name; ///< for people: "BWR of 1993"
-  fitting::Shock shock;
-};
-
-/// One of argon: "argon", "lj-kn" or "lj-thol" at rho, T [SI] before a piston; in SI. Throws PhysicsError
-/// where the equation has no such shock.
-fitting::Shock argon_shock(std::string const& material, double rho, double T, double v_P);
-
-/// Lennard-Jones argon at rho, T [SI] before a piston, by every equation of state of it that is built in;
-/// first that of the particles (BWR). All in SI.
-std::vector<NamedShock> argon_shocks(double rho, double T, double v_P);
 
 /// The row of a run by molecular dynamics.
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock);

@@ -1,22 +1,24 @@
 #pragma once
-#include "fuzz/trial.hpp"
+#include "fuzz/kinds/reaction_text.hpp"
 #include "sdpd/scheme/list.hpp"
-#include <cmath>
-#include <fmt/format.h>
 #include <regex>
 
 namespace mesobridge::fuzz {
 
 /// A scene that does not stay at equilibrium: pistons, walls at rest and open faces, of every method, scheme
 /// and kind of material, in a small box and a few steps, of a second at most. Mostly sensible, so that it
-/// runs; sometimes with a time step, a piston or a state that cannot end well.
+/// runs; sometimes with a time step, a piston or a state that cannot end well. One that reacts is an SDPD
+/// fluid and smaller.
 class DrivenScene {
  public:
-  explicit DrivenScene(Random& random)
-      : random_(random), across_(7 + random.below(2)), along_(10 + random.below(15)), axis_(random.below(3)),
-        has_regions_(random.chance(0.35)) {}
+  explicit DrivenScene(Random& random, bool reacts = false)
+      : random_(random), across_(reacts ? 7 : 7 + random.below(2)),
+        along_(reacts ? 8 + random.below(8) : 10 + random.below(15)), axis_(random.below(3)),
+        has_regions_(random.chance(reacts ? 0.5 : 0.35)), reacts_(reacts) {}
 
   std::string text() {
+    if (reacts_)
+      return continuum();
     auto const method = random_.of<std::string>({"sdpd", "sdpd", "sdpd", "dpde", "dpd"});
     return method == "sdpd" ? continuum() : soft(method);
   }
@@ -27,19 +29,26 @@ class DrivenScene {
     double rho, T; ///< a usual state
   };
 
-  double between(double low, double high) { return low + (high - low) * random_.unit(); }
-  /// Of no particular order of magnitude.
-  double any_between(double low, double high) { return low * std::pow(high / low, random_.unit()); }
+  double between(double low, double high) { return fuzz::between(random_, low, high); }
+  double any_between(double low, double high) { return fuzz::any_between(random_, low, high); }
 
   std::string continuum() {
-    auto const material = random_.of<Material>({{"eos = \"argon\"", 1150, 500},
-                                                {"eos = \"ideal-gas\"\nm0 = \"39.948 u\"", 1150, 1000},
-                                                {"eos = \"ideal-gas\"\nm0 = \"39.948 u\"", 1.6, 300},
-                                                {"eos = \"tin\"", 7000, 600},
-                                                {"eos = \"nitromethane\"", 1140, 300},
-                                                {"eos = \"nitromethane-products\"", 1600, 3500},
-                                                {"eos = \"pbx-9502-products\"", 1900, 3000},
-                                                {"eos = \"water\"", 997, 300}});
+    auto material = random_.of<Material>({{"eos = \"argon\"", 1150, 500},
+                                          {"eos = \"ideal-gas\"\nm0 = \"39.948 u\"", 1150, 1000},
+                                          {"eos = \"ideal-gas\"\nm0 = \"39.948 u\"", 1.6, 300},
+                                          {"eos = \"tin\"", 7000, 600},
+                                          {"eos = \"nitromethane\"", 1140, 300},
+                                          {"eos = \"nitromethane-products\"", 1600, 3500},
+                                          {"eos = \"pbx-9502-products\"", 1900, 3000},
+                                          {"eos = \"water\"", 997, 300}});
+    if (reacts_ && material.keys.find("argon") != std::string::npos &&
+        random_.chance(0.8)) // argon cannot react
+      material = {"eos = \"nitromethane\"", 1700, 2500};
+    std::optional<ReactionText> reaction;
+    if (reacts_)
+      reaction.emplace(random_);
+    if (reaction && reaction->product() == "ideal-gas" && material.keys.find("m0") == std::string::npos)
+      material.keys += "\nm0 = \"39.948 u\"";
     double const rho = material.rho * (random_.chance(0.8) ? between(0.95, 1.1) : between(0.3, 1.6));
     double const K = any_between(5, 5000);
     std::string text =
@@ -52,6 +61,8 @@ class DrivenScene {
     text += fmt::format("[transport]\neta = \"{:.4g} Pa*s\"\n", any_between(1e-5, 1e-2));
     if (random_.chance(0.3))
       text += fmt::format("kappa = \"{:.4g} W/(m*K)\"\n", any_between(1e-3, 1));
+    if (reaction)
+      text += reaction->text();
     return text + scheme("sdpd", quiet, any_between(0.002, 0.08)) + run() +
            regions(rho, " kg/m^3", any_between(50, 1e4), " m/s");
   }
@@ -129,11 +140,14 @@ class DrivenScene {
   }
 
   std::string run() {
-    return fmt::format(
-        "[run]\nequilibrate = {}\nsteps = {}\nsample_every = 2\ncheckpoint_every = 0\nseed = {}\n"
-        "[profile]\naxis = \"{}\"\nbins = 10\nevery = 20\n",
-        has_regions_ ? "0" : random_.of<std::string>({"0", "20", "60"}), 64 + 20 * random_.below(6),
-        1 + random_.below(1000), "xyz"[axis_]);
+    std::string const measured =
+        reacts_ && random_.chance(0.3) ? "[series]\nevery = 4\n[histogram]\nevery = 32\n" : "";
+    return measured +
+           fmt::format(
+               "[run]\nequilibrate = {}\nsteps = {}\nsample_every = 2\ncheckpoint_every = 0\nseed = {}\n"
+               "[profile]\naxis = \"{}\"\nbins = 10\nevery = 20\n",
+               has_regions_ ? "0" : random_.of<std::string>({"0", "20", "60"}), 64 + 20 * random_.below(6),
+               1 + random_.below(1000), "xyz"[axis_]);
   }
 
   /// Parts of the box that begin otherwise: other densities, in motion, or vacuum.
@@ -155,13 +169,15 @@ class DrivenScene {
       if (random_.chance(0.7))
         text += fmt::format("velocity = [{0}, {0}, {0}]\n", quote(random_.chance(0.5) ? v : -v, of_velocity));
       text += fmt::format("lattice = \"{}\"\n", random_.of<std::string>({"cubic", "fcc", "random"}));
+      if (reacts_ && random_.chance(0.7))
+        text += fmt::format("progress = {}\n", ReactionText::progress(random_));
     }
     return text;
   }
 
   Random& random_;
   std::size_t across_, along_, axis_;
-  bool has_regions_;
+  bool has_regions_, reacts_;
 };
 
 /// What is wrong with the end of a run of such a scene, by its status and what it printed, or nothing: it

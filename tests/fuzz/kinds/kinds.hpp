@@ -13,6 +13,7 @@ Kind journal_kind();
 Kind csv_kind();
 Kind scene_kind();
 Kind driven_kind();
+Kind reacting_kind();
 Kind model_kind();
 Kind command_line_kind();
 

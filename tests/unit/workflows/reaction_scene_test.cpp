@@ -1,7 +1,9 @@
 #include "md/error.hpp"
 #include "scene_error.hpp"
 #include "sdpd/kinetics/list.hpp"
+#include "sdpd/simulation.hpp"
 #include "workflows/quantity.hpp"
+#include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <algorithm>
 #include <fmt/ranges.h>
@@ -131,6 +133,38 @@ TEST(ReactionScene, BeginsRegionsWithTheirProgress) {
   EXPECT_EQ(regions[0].progress, 0.3);
   EXPECT_EQ(regions[1].progress, 1);
   EXPECT_TRUE(settings.as<sdpd::Sdpd>().species.empty());
+}
+
+// A particle that has burnt is one of the product alone, of fewer molecules if they are heavier; `check` says
+// what `run` would, with the key.
+TEST(ReactionScene, RefusesParticlesThatCannotBeTheProduct) {
+  auto const refusal = [](std::vector<std::string> const& overrides) -> std::string {
+    auto const scene =
+        parse_scene(replaced(burning, "steps = 100", "steps = 1000"), "burning.toml", overrides);
+    try {
+      check_run(scene, 1);
+    } catch (InputError const& error) {
+      EXPECT_THROW(sdpd::check(settings_of(scene, 1)), InputError);
+      return error.what();
+    }
+    EXPECT_NO_THROW(sdpd::Simulation(settings_of(scene, 1)));
+    return "none";
+  };
+  std::vector<std::string> const gas{"fluid.eos=ideal-gas", "fluid.m0=39.948 u", "fluid.T=1500 K",
+                                     "fluid.rho=1150 kg/m^3", "reaction.progress=0"};
+  auto const of_gas = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), gas.begin(), gas.end());
+    return refusal(more);
+  };
+  EXPECT_EQ(of_gas({}), "none");
+  auto const small = of_gas({"particles.K=5.576", "reaction.product=pbx-9502-products"});
+  EXPECT_TRUE(small.starts_with("particles.K = 5.576: is too small")) << small;
+  EXPECT_NE(small.find("0.8629 molecules"), std::string::npos) << small;
+  EXPECT_EQ(of_gas({"particles.K=5.576", "reaction.product=pbx-9502-products", "fluid.centre_of_mass=bulk"}),
+            "none");
+  EXPECT_TRUE(refusal({"reaction.product=argon"}).starts_with("reaction.product = argon: cannot be a part"));
+  EXPECT_TRUE(refusal({"fluid.eos=argon", "fluid.rho=1150 kg/m^3", "fluid.T=500 K"})
+                  .starts_with("fluid.eos = argon: cannot be a part"));
 }
 
 } // namespace

@@ -73,5 +73,24 @@ TEST(ExactSolutions, KnowWhatTheEndsHaveNotReached) {
   EXPECT_NEAR(from + to, noh.length, 1e-9 * noh.length);
 }
 
+// As GANDALF does: a mean over particles, in units of its own, of those as near as 1 at a time of 0.75.
+TEST(ExactSolutions, TakeAnErrorAsAnotherProgramDoes) {
+  StatedError const stated{.program = "other", .where = "its test", .reach = 2, .unit = 10, .below = 1};
+  RiemannComparison found{.time = 3}; // what is nearer than 6 counts
+  found.place = {1, 5, 9, 13}, found.rho = {9, 1, 3, 5}, found.u = {70, 20, 10, 0};
+  found.exact.resize(4);
+  for (std::size_t k = 0; k < 4; ++k)
+    found.exact[k].u = 14;
+  EXPECT_NEAR(error_as_stated(stated, found, 8), (1 * 6 + 3 * 4 + 5 * 14) / 9.0 / 10, 1e-12);
+  // The tube of its test: P* = 0.44297, u* = 0.64966 by bisection in another language.
+  auto const& mild = tube_cases().back();
+  auto const scene = tube_scene(mild, 40);
+  auto const problem = riemann_problem(scene, settings_of(scene, 1)).value();
+  double const P = problem.at(0, 0).state.P, u = std::sqrt(P / mild.left.rho);
+  EXPECT_NEAR(problem.exact.P() / P, 0.44297, 1e-4);
+  EXPECT_NEAR(problem.exact.u() / u, 0.64966, 1e-4);
+  EXPECT_NEAR(mild.stated->unit / u, 1, 1e-6);
+}
+
 } // namespace
 } // namespace mesobridge::workflows
