@@ -11,8 +11,8 @@ struct DetonationCase {
   double K = 100, Z = 1e15, eta = 2e-3; ///< SI
   std::array<std::int64_t, 3> lattice;
   std::uint64_t seed = 1;
-  /// By a piston at 1764 m/s (thesis, section 6.3.2); else by a layer at the lower end that begins as the products
-  /// of the detonation.
+  /// By a piston at 1764 m/s (thesis, section 6.3.2); else by a layer at the lower end that begins as the
+  /// products of the detonation.
   bool piston = false;
   std::optional<double> ramp = {}; ///< of the piston [s]; if not given, the scene's default
 };
