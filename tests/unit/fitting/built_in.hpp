@@ -1,6 +1,5 @@
 #pragma once
 #include "fitting/eos/list.hpp"
-#include <gtest/gtest.h>
 
 namespace mesobridge::fitting::test {
 
@@ -8,18 +7,6 @@ namespace mesobridge::fitting::test {
 template <class Model>
 Model const& built_in(std::string_view name) {
   return std::get<Model>(material(name).eos);
-}
-
-/// Calls f(model) for every built-in material's.
-template <class F>
-void for_each_model(F const& f) {
-  int models = 0;
-  for (auto const& material : materials()) {
-    SCOPED_TRACE(material.name);
-    std::visit(f, material.eos);
-    ++models;
-  }
-  EXPECT_GE(models, 9);
 }
 
 inline LjBwr const& lj() {

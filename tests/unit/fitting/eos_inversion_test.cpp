@@ -1,5 +1,4 @@
 #include "fitting/eos/evaluate.hpp"
-#include "unit/fitting/built_in.hpp"
 #include "unit/fitting/random_states.hpp"
 #include <functional>
 #include <gtest/gtest.h>
@@ -37,6 +36,18 @@ void check_inversions(E const& eos, int states, std::vector<double> const& guess
   EXPECT_LT(worst_T, 1e-10);
   EXPECT_LT(worst_e, 1e-10);
   EXPECT_LT(worst_guess, 1e-10);
+}
+
+/// Calls f(model) for every built-in material's.
+template <class F>
+void for_each_model(F const& f) {
+  int models = 0;
+  for (auto const& material : materials()) {
+    SCOPED_TRACE(material.name);
+    std::visit(f, material.eos);
+    ++models;
+  }
+  EXPECT_GE(models, 9);
 }
 
 void return_in_every_model(int states, std::vector<double> const& guesses_in_T) {

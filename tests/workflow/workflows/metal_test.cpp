@@ -1,4 +1,5 @@
 #include "interrupted_run.hpp"
+#include "refusals.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"

@@ -1,5 +1,6 @@
 #include "fitting/eos/list.hpp"
 #include "interrupted_run.hpp"
+#include "refusals.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/store/store.hpp"
