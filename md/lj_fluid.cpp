@@ -1,4 +1,6 @@
 #include "md/lj_fluid.hpp"
+#include "md/canonical_run.hpp"
+#include "md/lj_atoms.hpp"
 #include "md/seeds.hpp"
 #include <algorithm>
 #include <cmath>
@@ -33,30 +35,15 @@ class LjRun {
  private:
   void set_up() {
     int const cells = cells_per_edge(settings_.atoms);
-    lammps_.command("units lj");
-    lammps_.command("atom_style atomic");
-    lammps_.command("lattice fcc {}", state_.rho);
-    lammps_.command("region box block 0 {0} 0 {0} 0 {0}", cells);
-    lammps_.command("create_box 1 box");
-    lammps_.command("create_atoms 1 box");
-    lammps_.command("mass 1 1.0");
-    lammps_.command("pair_style {} {}", lammps_.has_style("pair", "lj/cut/opt") ? "lj/cut/opt" : "lj/cut",
-                    settings_.cutoff);
-    lammps_.command("pair_modify shift no tail {}", settings_.tail ? "yes" : "no");
-    lammps_.command("pair_coeff 1 1 1.0 1.0");
-    lammps_.command("neighbor 0.4 bin");
-    lammps_.command("neigh_modify every 2 delay 0 check yes");
-    // The thermostat acts on all 3N momenta, those of the centre of mass too.
-    lammps_.command("compute_modify thermo_temp extra/dof 0");
+    create_lj_atoms(lammps_, {.rho = state_.rho, .cells_across = cells, .cells_along = cells},
+                    settings_.cutoff, settings_.tail);
     lammps_.command("thermo {}", settings_.steps());
   }
 
   void set_temperature(double T, std::uint64_t purpose) {
     double const scale = 1 / std::sqrt(T);
-    lammps_.command("timestep {}", settings_.reduced_time_step * scale);
-    lammps_.command("fix bath all langevin {0} {0} {1} {2} gjf vhalf", T, settings_.friction_time * scale,
-                    lammps_seed(settings_.seed, purpose));
-    lammps_.command("fix move all nve"); // after the bath, as its discretisation demands
+    set_bath(lammps_, T, settings_.reduced_time_step * scale, settings_.friction_time * scale,
+             lammps_seed(settings_.seed, purpose));
     lammps_.command("run 0 post no");
   }
 
@@ -104,18 +91,13 @@ class LjRun {
     return true;
   }
 
-  /// Runs on by some steps, in pieces short enough that whoever watches can stop the run soon.
   bool advance(std::int64_t steps) {
-    constexpr std::int64_t piece = 50;
-    for (std::int64_t done = 0; done < steps;) {
-      std::int64_t const next = std::min(piece, steps - done);
-      lammps_.command("run {} pre no post no", next);
-      done += next;
-      steps_done_ += next;
-      if (consumers_.steps && !asked([&] { return consumers_.steps(steps_done_); }))
-        return false;
-    }
-    return true;
+    return run_in_pieces(
+        steps, [&](std::int64_t n) { lammps_.command("run {} pre no post no", n); },
+        [&](std::int64_t n) {
+          steps_done_ += n;
+          return !consumers_.steps || asked([&] { return consumers_.steps(steps_done_); });
+        });
   }
 
   /// The consumers of rank 0 are asked and all ranks of the run obey.
@@ -184,11 +166,7 @@ void check(LjState state, LjFluidSettings const& settings) {
   require(settings.friction_time >= 10 * settings.reduced_time_step, "friction time times sqrt(T*)",
           settings.friction_time, "must be at least ten time steps");
   require(settings.melt_steps > 0, "melt steps", settings.melt_steps, "must be > 0");
-  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
-          "must be > 0");
-  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
-  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
-          "must be at least the steps between samples");
+  check_steps(settings.equilibration_steps, settings.sampling_steps, settings.sample_every);
 }
 
 double lattice_order(Frame const& frame, double lattice_constant) {

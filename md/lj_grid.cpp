@@ -6,14 +6,8 @@
 namespace mesobridge::md {
 namespace {
 
-/// Samples travel between ranks as four numbers each.
-constexpr std::size_t numbers_of_sample = 4;
-
-std::vector<ThermoSample> samples_of(std::span<double const> numbers) {
-  std::vector<ThermoSample> samples;
-  for (std::size_t k = 0; k + numbers_of_sample <= numbers.size(); k += numbers_of_sample)
-    samples.push_back({std::int64_t(numbers[k]), numbers[k + 1], numbers[k + 2], numbers[k + 3]});
-  return samples;
+ThermoSample sample_of(std::span<double const> numbers) {
+  return {std::int64_t(numbers[0]), numbers[1], numbers[2], numbers[3]};
 }
 
 std::vector<double> costs_of(std::span<LjState const> states) {
@@ -81,7 +75,7 @@ bool sample_lj_grid(MpiWorld const& world, std::span<LjState const> states, LjFl
   SharedRunConsumers shared{.samples = {}, .conclusion = {}, .progress = consumers.progress};
   if (consumers.samples)
     shared.samples = [&](std::size_t index, std::span<double const> numbers) {
-      return consumers.samples(index, samples_of(numbers));
+      return consumers.samples(index, samples_of<4>(numbers, sample_of));
     };
   double const all_steps = double(settings.steps()) * double(states.size());
   return share_runs(world, share_states(states, world.size()), all_steps, make, shared);

@@ -1,4 +1,6 @@
 #include "md/lj_piston.hpp"
+#include "md/canonical_run.hpp"
+#include "md/lj_atoms.hpp"
 #include "md/seeds.hpp"
 #include <algorithm>
 #include <cmath>
@@ -30,29 +32,15 @@ class PistonRun {
  private:
   void set_up() {
     auto const& s = settings_;
-    lammps_.command("units lj");
-    lammps_.command("atom_style atomic");
-    lammps_.command("lattice fcc {}", s.ahead.rho);
-    lammps_.command("region box block 0 {0} 0 {0} 0 {1}", s.cells_across, s.cells_along);
-    lammps_.command("create_box 1 box");
-    lammps_.command("create_atoms 1 box");
-    lammps_.command("mass 1 1.0");
-    lammps_.command("pair_style {} {}", lammps_.has_style("pair", "lj/cut/opt") ? "lj/cut/opt" : "lj/cut",
-                    s.cutoff);
-    lammps_.command("pair_modify shift no tail no");
-    lammps_.command("pair_coeff 1 1 1.0 1.0");
-    lammps_.command("neighbor 0.4 bin");
-    lammps_.command("neigh_modify every 2 delay 0 check yes");
-    lammps_.command("compute_modify thermo_temp extra/dof 0");
+    create_lj_atoms(lammps_,
+                    {.rho = s.ahead.rho, .cells_across = s.cells_across, .cells_along = s.cells_along},
+                    s.cutoff, false);
     lammps_.command("thermo 100000");
   }
 
   bool thermalise(double T, std::int64_t steps, std::uint64_t purpose) {
     double const scale = 1 / std::sqrt(T);
-    lammps_.command("timestep {}", thermal_step * scale);
-    lammps_.command("fix bath all langevin {0} {0} {1} {2} gjf vhalf", T, friction_time * scale,
-                    lammps_seed(settings_.seed, purpose));
-    lammps_.command("fix move all nve");
+    set_bath(lammps_, T, thermal_step * scale, friction_time * scale, lammps_seed(settings_.seed, purpose));
     return drive_.settle(steps);
   }
 

@@ -1,4 +1,5 @@
 #include "md/metal.hpp"
+#include "md/canonical_run.hpp"
 #include "md/seeds.hpp"
 #include "md/units.hpp"
 #include <algorithm>
@@ -48,10 +49,7 @@ class MetalRun {
 
   void set_temperature(double T, std::uint64_t purpose) {
     double const dt = time_step(T);
-    lammps_->command("timestep {}", dt);
-    lammps_->command("fix bath all langevin {0} {0} {1} {2} gjf vhalf", T, settings_.friction_steps * dt,
-                     lammps_seed(settings_.seed, purpose));
-    lammps_->command("fix move all nve"); // after the bath, as its discretisation demands
+    set_bath(*lammps_, T, dt, settings_.friction_steps * dt, lammps_seed(settings_.seed, purpose));
     lammps_->command("run 0 post no");
   }
 
@@ -112,18 +110,13 @@ class MetalRun {
     return lattice_order(lammps_->frame(), planes / metal_units::length);
   }
 
-  /// Runs on by some steps, in pieces short enough that whoever watches can stop the run soon.
   bool advance(std::int64_t steps) {
-    constexpr std::int64_t piece = 50;
-    for (std::int64_t done = 0; done < steps;) {
-      std::int64_t const next = std::min(piece, steps - done);
-      move(next);
-      done += next;
-      steps_done_ += next;
-      if (consumers_.steps && !consumers_.steps(steps_done_))
-        return false;
-    }
-    return true;
+    return run_in_pieces(
+        steps, [&](std::int64_t n) { move(n); },
+        [&](std::int64_t n) {
+          steps_done_ += n;
+          return !consumers_.steps || consumers_.steps(steps_done_);
+        });
   }
 
   void move(std::int64_t steps) {
@@ -223,11 +216,7 @@ void check(MetalState state, MetalSettings const& settings) {
   require(settings.friction_steps >= 10, "relaxation time of the velocities in steps",
           settings.friction_steps, "must be at least 10");
   require(settings.melt_steps > 0, "melt steps", settings.melt_steps, "must be > 0");
-  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
-          "must be > 0");
-  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
-  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
-          "must be at least the steps between samples");
+  check_steps(settings.equilibration_steps, settings.sampling_steps, settings.sample_every);
 }
 
 std::optional<MetalEnd> sample_metal(MpiWorld const& world, MetalState state, MetalSettings const& settings,

@@ -7,14 +7,8 @@
 namespace mesobridge::md {
 namespace {
 
-constexpr std::size_t numbers_of_sample = 5;
-
-std::vector<MetalSample> samples_of(std::span<double const> numbers) {
-  std::vector<MetalSample> samples;
-  for (std::size_t k = 0; k + numbers_of_sample <= numbers.size(); k += numbers_of_sample)
-    samples.push_back(
-        {std::int64_t(numbers[k]), numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4]});
-  return samples;
+MetalSample sample_of(std::span<double const> numbers) {
+  return {std::int64_t(numbers[0]), numbers[1], numbers[2], numbers[3], numbers[4]};
 }
 
 /// The same seed for the same state in whatever company it is sampled.
@@ -51,7 +45,7 @@ bool sample_metal_grid(MpiWorld const& world, std::span<MetalState const> states
   SharedRunConsumers shared{.samples = {}, .conclusion = {}, .progress = consumers.progress};
   if (consumers.samples)
     shared.samples = [&](std::size_t k, std::span<double const> n) {
-      return consumers.samples(k, samples_of(n));
+      return consumers.samples(k, samples_of<5>(n, sample_of));
     };
   if (consumers.end)
     shared.conclusion = [&](std::size_t k, std::span<double const> n) {

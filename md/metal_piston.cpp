@@ -1,4 +1,5 @@
 #include "md/metal_piston.hpp"
+#include "md/canonical_run.hpp"
 #include "md/seeds.hpp"
 #include "md/units.hpp"
 #include <algorithm>
@@ -96,10 +97,7 @@ bool sample_metal_piston(MpiWorld const& world, MetalPistonSettings const& setti
   double const T = settings.ahead.T;
   // Atoms on their lattice sites: half of this energy becomes potential energy.
   lammps.command("velocity all create {} {} dist gaussian", 2 * T, lammps_seed(settings.seed, 0));
-  lammps.command("timestep {}", box.dt);
-  lammps.command("fix bath all langevin {0} {0} {1} {2} gjf vhalf", T, friction_steps * box.dt,
-                 lammps_seed(settings.seed, 2));
-  lammps.command("fix move all nve");
+  set_bath(lammps, T, box.dt, friction_steps * box.dt, lammps_seed(settings.seed, 2));
   PistonDrive drive(world, lammps, box, units_of(settings.potential), consumers);
   if (!drive.settle(settings.equilibration_steps))
     return false;

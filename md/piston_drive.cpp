@@ -1,5 +1,5 @@
 #include "md/piston_drive.hpp"
-#include <algorithm>
+#include "md/canonical_run.hpp"
 #include <array>
 #include <cmath>
 
@@ -22,13 +22,9 @@ std::int64_t steps_to_far_end(double length, double spacing, double v_S, double 
 
 bool PistonDrive::settle(std::int64_t steps) {
   lammps_.command("run 0 post no");
-  constexpr std::int64_t piece = 50;
-  for (std::int64_t done = 0; done < steps; done += piece) {
-    lammps_.command("run {} pre no post no", std::min(piece, steps - done));
-    if (!told(std::min(piece, steps - done)))
-      return false;
-  }
-  return true;
+  return run_in_pieces(
+      steps, [&](std::int64_t n) { lammps_.command("run {} pre no post no", n); },
+      [&](std::int64_t n) { return told(n); });
 }
 
 void PistonDrive::put_walls() {

@@ -45,6 +45,15 @@ class RunReporter {
   std::int64_t told_ = 0;
 };
 
+/// The samples of a batch, which travelled as so many numbers each: make(numbers) makes one.
+template <std::size_t numbers_of_sample, class Make>
+auto samples_of(std::span<double const> numbers, Make const& make) {
+  std::vector<decltype(make(numbers))> samples;
+  for (std::size_t k = 0; k + numbers_of_sample <= numbers.size(); k += numbers_of_sample)
+    samples.push_back(make(numbers.subspan(k, numbers_of_sample)));
+  return samples;
+}
+
 /// Makes one run on this rank; returns false when the reporter stopped it.
 using MakeRun = std::function<bool(std::size_t run, RunReporter& reporter)>;
 

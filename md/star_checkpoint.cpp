@@ -74,4 +74,9 @@ std::int64_t step_to_begin_at(MpiWorld const& world, StarPolymer const& star,
   return lammps.step();
 }
 
+std::string fingerprint(StarPolymer const& star) {
+  return fmt::format("{} star (k = {}, l = {}, {}{})", star.name(), star.k, star.arm_length,
+                     star.centre_length, star.repulsion ? ", WCA" : ", no repulsion");
+}
+
 } // namespace mesobridge::md

@@ -1,9 +1,11 @@
 #pragma once
 #include "md/lammps_session.hpp"
 #include "md/star_polymer.hpp"
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace mesobridge::md {
 
@@ -17,5 +19,30 @@ void write_checkpoint(MpiWorld const& world, LammpsSession& lammps, std::filesys
 std::int64_t step_to_begin_at(MpiWorld const& world, StarPolymer const& star,
                               std::filesystem::path const& file, std::filesystem::path const& log,
                               bool resume);
+
+/// A star as the fingerprints of runs name it: "6-3 star (k = 20, l = 1.147, 1.615, WCA)".
+std::string fingerprint(StarPolymer const& star);
+
+/// All steps of a run of these stretches.
+template <class Stretch>
+std::int64_t steps_of(std::vector<Stretch> const& stretches) {
+  return stretches.back().first_step + stretches.back().steps;
+}
+
+/// The step that a run of these stretches begins at, one after the other. Throws InputError that ends in
+/// `why` when none of them begins at the checkpoint.
+template <class Settings, class Stretch>
+std::int64_t step_to_begin_at(MpiWorld const& world, Settings const& settings,
+                              std::vector<Stretch> const& stretches, bool resume, std::string const& why) {
+  std::int64_t const done =
+      step_to_begin_at(world, settings.star, settings.restart_file(), settings.log_file(), resume);
+  if (done != steps_of(stretches) &&
+      std::ranges::none_of(stretches, [&](Stretch const& s) { return s.first_step == done; }))
+    throw InputError(
+        fmt::format("--resume: the checkpoint '{}' stands at step {}, which this run of {} steps "
+                    "does not pass: {}",
+                    settings.restart_file().string(), done, steps_of(stretches), why));
+  return done;
+}
 
 } // namespace mesobridge::md

@@ -1,4 +1,5 @@
 #include "md/star_melt.hpp"
+#include "md/canonical_run.hpp"
 #include "md/seeds.hpp"
 #include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
@@ -36,7 +37,7 @@ double beads_of(StarMeltSettings const& settings) {
 /// One stretch of the run in a session of its own.
 class Stretch {
  public:
-  Stretch(MpiWorld const& world, StarMeltSettings const& settings, StarMeltConsumers const& consumers,
+  Stretch(MpiWorld const& world, StarMeltSettings const& settings, StarConsumers const& consumers,
           MeltStretch const& stretch, std::int64_t all_steps, std::optional<double>& first_energy)
       : world_(world), settings_(settings), consumers_(consumers), stretch_(stretch), all_steps_(all_steps),
         first_energy_(first_energy), lammps_(world, Ranks::all, settings.log_file(),
@@ -121,7 +122,7 @@ class Stretch {
 
   MpiWorld const& world_;
   StarMeltSettings const& settings_;
-  StarMeltConsumers const& consumers_;
+  StarConsumers const& consumers_;
   MeltStretch stretch_;
   std::int64_t all_steps_;
   std::optional<double>& first_energy_;
@@ -132,12 +133,11 @@ class Stretch {
 
 std::string StarMeltSettings::fingerprint() const {
   return fmt::format(
-      "{} star (k = {}, l = {}, {}{}), {} molecules, rho = {}, T = {}, Langevin friction {}, "
+      "{}, {} molecules, rho = {}, T = {}, Langevin friction {}, "
       "time step {}, squeezed by {} in {} steps, {} steps of equilibration, a sample every {} steps, a "
       "checkpoint every {}, seed {}",
-      star.name(), star.k, star.arm_length, star.centre_length, star.repulsion ? ", WCA" : ", no repulsion",
-      molecules, rho, T, friction, dt, squeeze, squeeze_steps, equilibration_steps, sample_every,
-      checkpoint_every, seed);
+      md::fingerprint(star), molecules, rho, T, friction, dt, squeeze, squeeze_steps, equilibration_steps,
+      sample_every, checkpoint_every, seed);
 }
 
 void check(StarMeltSettings const& settings) {
@@ -155,11 +155,7 @@ void check(StarMeltSettings const& settings) {
           "must be in (1, 2]");
   require(settings.squeeze_steps >= 200, "steps of a squeeze", settings.squeeze_steps,
           "must be at least 200");
-  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
-          "must be > 0");
-  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
-  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
-          "must be at least the steps between samples");
+  check_steps(settings.equilibration_steps, settings.sampling_steps, settings.sample_every);
   require(settings.sampling_steps % settings.sample_every == 0, "sampling steps", settings.sampling_steps,
           "must be a multiple of the steps between samples");
   require(settings.checkpoint_every > 0 && settings.checkpoint_every % settings.sample_every == 0,
@@ -204,23 +200,16 @@ std::int64_t frames_of(StarMeltSettings const& settings) {
 }
 
 bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
-                      StarMeltConsumers const& consumers) {
+                      StarConsumers const& consumers) {
   check(settings);
   auto const stretches = plan(settings);
-  std::int64_t const all_steps = stretches.back().first_step + stretches.back().steps;
-  std::int64_t const done =
-      step_to_begin_at(world, settings.star, settings.restart_file(), settings.log_file(), resume);
-  bool const known = done == all_steps || std::any_of(stretches.begin(), stretches.end(),
-                                                      [&](auto const& s) { return s.first_step == done; });
-  if (!known)
-    throw InputError(
-        fmt::format("--resume: the checkpoint '{}' stands at step {}, which this run of {} steps "
-                    "does not pass: resume with a length that is a multiple of {} steps",
-                    settings.restart_file().string(), done, all_steps, settings.checkpoint_every));
+  std::int64_t const done = step_to_begin_at(
+      world, settings, stretches, resume,
+      fmt::format("resume with a length that is a multiple of {} steps", settings.checkpoint_every));
   std::optional<double> first_energy;
   for (auto const& stretch : stretches)
     if (stretch.first_step >= done &&
-        !Stretch(world, settings, consumers, stretch, all_steps, first_energy).run())
+        !Stretch(world, settings, consumers, stretch, steps_of(stretches), first_energy).run())
       return false;
   return true;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "md/molecule_atoms.hpp"
+#include "md/star_consumers.hpp"
 #include "md/star_polymer.hpp"
 #include <filesystem>
 #include <functional>
@@ -49,22 +49,11 @@ std::vector<MeltStretch> plan(StarMeltSettings const& settings);
 /// Throws InputError that names the quantity when the settings make no sense.
 void check(StarMeltSettings const& settings);
 
-/// Who watches a melt.
-struct StarMeltConsumers {
-  /// Called on every rank with its molecules, at each sample. May be collective.
-  std::function<void(MoleculeFrame const&)> frames;
-  /// Called on every rank when a stretch has ended, before its checkpoint counts: what was sampled so far is
-  /// to be put in safety.
-  std::function<void()> checkpoint;
-  /// Called on rank 0, often, with the steps done and all steps; false stops the run at once.
-  std::function<bool(std::int64_t done, std::int64_t all)> steps;
-};
-
 /// Makes the run, or what is left of it when `resume` and a checkpoint is there. All ranks call it together.
 /// Returns false when a consumer stopped it. Throws InputError, LammpsError, and PhysicsError when the run
 /// became unstable or lost more than 0.01 k_B T a bead of energy.
 bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
-                      StarMeltConsumers const& consumers);
+                      StarConsumers const& consumers);
 
 /// The frames that a whole run delivers.
 std::int64_t frames_of(StarMeltSettings const& settings);

@@ -75,8 +75,8 @@ std::vector<Stretch> stretches_of(StarVacuumSettings const& settings) {
 /// One stretch of the run in a session of its own.
 class VacuumStretch {
  public:
-  VacuumStretch(MpiWorld const& world, StarVacuumSettings const& settings,
-                StarVacuumConsumers const& consumers, Stretch const& stretch, std::int64_t all_steps)
+  VacuumStretch(MpiWorld const& world, StarVacuumSettings const& settings, StarConsumers const& consumers,
+                Stretch const& stretch, std::int64_t all_steps)
       : world_(world), settings_(settings), consumers_(consumers), stretch_(stretch), all_steps_(all_steps),
         atoms_(settings.star.atoms()), lammps_(world, Ranks::all, settings.log_file(),
                                                stretch.first_step == 0 ? Log::replace : Log::append) {}
@@ -197,7 +197,7 @@ class VacuumStretch {
 
   MpiWorld const& world_;
   StarVacuumSettings const& settings_;
-  StarVacuumConsumers const& consumers_;
+  StarConsumers const& consumers_;
   Stretch stretch_;
   std::int64_t all_steps_;
   int atoms_;
@@ -207,20 +207,14 @@ class VacuumStretch {
 } // namespace
 
 bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings, bool resume,
-                        StarVacuumConsumers const& consumers) {
+                        StarConsumers const& consumers) {
   check(settings);
   auto const stretches = stretches_of(settings);
-  std::int64_t const all_steps = stretches.back().first_step + stretches.back().steps;
   std::int64_t const done =
-      step_to_begin_at(world, settings.star, settings.restart_file(), settings.log_file(), resume);
-  if (done != all_steps &&
-      std::none_of(stretches.begin(), stretches.end(), [&](auto const& s) { return s.first_step == done; }))
-    throw InputError(
-        fmt::format("--resume: the checkpoint '{}' stands at step {}, which this run of {} steps "
-                    "does not pass: it was made with other settings",
-                    settings.restart_file().string(), done, all_steps));
+      step_to_begin_at(world, settings, stretches, resume, "it was made with other settings");
   for (auto const& stretch : stretches)
-    if (stretch.first_step >= done && !VacuumStretch(world, settings, consumers, stretch, all_steps).run())
+    if (stretch.first_step >= done &&
+        !VacuumStretch(world, settings, consumers, stretch, steps_of(stretches)).run())
       return false;
   return true;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "md/molecule_atoms.hpp"
+#include "md/star_consumers.hpp"
 #include "md/star_polymer.hpp"
 #include <filesystem>
 #include <functional>
@@ -42,16 +42,6 @@ struct StarVacuumSettings {
 /// Throws InputError that names the quantity when the settings make no sense.
 void check(StarVacuumSettings const& settings);
 
-/// Who watches.
-struct StarVacuumConsumers {
-  /// Called on every rank with its molecules, at each sample. May be collective.
-  std::function<void(MoleculeFrame const&)> frames;
-  /// Called on every rank before a checkpoint counts: what was sampled so far is to be put in safety.
-  std::function<void()> checkpoint;
-  /// Called on rank 0, often, with the steps done and all steps; false stops the run at once.
-  std::function<bool(std::int64_t done, std::int64_t all)> steps;
-};
-
 /// Samples isolated molecules. Canonical: velocities are drawn anew from Maxwell's law at intervals and freed
 /// from the molecule's own total momentum (so P = 0 exactly and L takes part in the equilibrium), between
 /// them the molecule moves freely: this samples exp(-U/T) on the states of zero momentum, up to the time
@@ -61,6 +51,6 @@ struct StarVacuumConsumers {
 /// LammpsError, and PhysicsError for an unstable run, a molecule that has left its cell, an energy below the
 /// potential energy.
 bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& settings, bool resume,
-                        StarVacuumConsumers const& consumers);
+                        StarConsumers const& consumers);
 
 } // namespace mesobridge::md

@@ -1,4 +1,5 @@
-#include "md/error.hpp"
+#include "md/canonical_run.hpp"
+#include "md/star_checkpoint.hpp"
 #include "md/star_vacuum.hpp"
 #include <cmath>
 #include <fmt/ranges.h>
@@ -7,12 +8,12 @@ namespace mesobridge::md {
 
 std::string StarVacuumSettings::fingerprint() const {
   return fmt::format(
-      "{} star (k = {}, l = {}, {}{}) in vacuum, {} at {}, {} molecules, time step {}, "
+      "{} in vacuum, {} at {}, {} molecules, time step {}, "
       "velocities drawn every {} steps, {} + {} steps, a sample every {} steps, a checkpoint every {}, seed "
       "{}",
-      star.name(), star.k, star.arm_length, star.centre_length, star.repulsion ? ", WCA" : ", no repulsion",
-      ensemble == VacuumEnsemble::canonical ? "canonical" : "microcanonical", fmt::join(levels, ", "),
-      molecules, dt, redraw_every, equilibration_steps, sampling_steps, sample_every, checkpoint_every, seed);
+      md::fingerprint(star), ensemble == VacuumEnsemble::canonical ? "canonical" : "microcanonical",
+      fmt::join(levels, ", "), molecules, dt, redraw_every, equilibration_steps, sampling_steps, sample_every,
+      checkpoint_every, seed);
 }
 
 void check(StarVacuumSettings const& settings) {
@@ -28,11 +29,7 @@ void check(StarVacuumSettings const& settings) {
           "must be in (0, 0.02]; the thesis takes 0.001");
   require(settings.redraw_every > 0, "steps between draws of the velocities", settings.redraw_every,
           "must be > 0");
-  require(settings.equilibration_steps > 0, "equilibration steps", settings.equilibration_steps,
-          "must be > 0");
-  require(settings.sample_every > 0, "steps between samples", settings.sample_every, "must be > 0");
-  require(settings.sampling_steps >= settings.sample_every, "sampling steps", settings.sampling_steps,
-          "must be at least the steps between samples");
+  check_steps(settings.equilibration_steps, settings.sampling_steps, settings.sample_every);
   require(settings.checkpoint_every > 0, "steps between checkpoints", settings.checkpoint_every,
           "must be > 0");
 }

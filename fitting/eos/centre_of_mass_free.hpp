@@ -2,6 +2,7 @@
 #include "fitting/eos/linear_isochore.hpp"
 #include "fitting/eos/monotone_root.hpp"
 #include <optional>
+#include <utility>
 
 namespace mesobridge::fitting {
 
@@ -54,6 +55,27 @@ class CentreOfMassFreeIsochore {
   double r_, T_min_, T_max_;
 };
 
+/// The bulk whose particles of K atoms lose the part of their centre of mass.
+template <EquationOfState E>
+class BulkOfParticles {
+ public:
+  Domain domain() const { return bulk_.domain(); }
+  double molecular_mass() const { return bulk_.molecular_mass(); }
+  double boltzmann() const { return bulk_.boltzmann(); }
+  E const& bulk() const { return bulk_; }
+  double K() const { return K_; }
+
+ protected:
+  /// K >= 1; throws InputError.
+  BulkOfParticles(E bulk, double K) : bulk_(std::move(bulk)), K_(K) {
+    require(K >= 1 && std::isfinite(K), "particle size K", K, "must be >= 1 and finite");
+    r_ = bulk_.boltzmann() / (K * bulk_.molecular_mass());
+  }
+
+  E bulk_;
+  double K_, r_; ///< r = k_B/(K m0)
+};
+
 /// The equation of state of the inner degrees of freedom of a particle of K atoms (fitting/README.md,
 /// Eq. (F13)). The particle's centre of mass, which moves in the simulation, carries (3/2) k_B T and the
 /// pressure k_B T/V already; here they are taken from the bulk's, so that totals do not depend on K. Per unit
@@ -61,17 +83,18 @@ class CentreOfMassFreeIsochore {
 ///   f_K(rho, T) = f(rho, T) - (k_B/(K m0)) T (ln rho - 3/2 ln T).
 /// The ideal gas becomes the law of K - 1 atoms. Needs c_v > 3/2 k_B/(K m0).
 template <EquationOfState E>
-class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>> {
+class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>>, public BulkOfParticles<E> {
+  using Base = BulkOfParticles<E>;
+  using Base::bulk_, Base::r_;
+
  public:
   static constexpr std::string_view name = "centre-of-mass-free model";
 
   /// K >= 1; throws InputError.
-  CentreOfMassFree(E bulk, double K) : bulk_(std::move(bulk)), K_(K) {
-    require(K >= 1 && std::isfinite(K), "particle size K", K, "must be >= 1 and finite");
+  CentreOfMassFree(E bulk, double K) : Base(std::move(bulk), K) {
     auto const domain = bulk_.domain();
     T_max_ = domain.T_max;
     T_min_ = std::max(domain.T_min, coldest * domain.T_max);
-    r_ = bulk_.boltzmann() / (K * bulk_.molecular_mass());
   }
 
   template <class X>
@@ -88,31 +111,26 @@ class CentreOfMassFree : public FromIsochore<CentreOfMassFree<E>> {
   PackMask covers(Pack rho, Pack T) const { return bulk_.covers(rho, T); }
   void require_temperature(double T, double rho) const { bulk_.energy_from_temperature(T, rho); }
   double temperature_guess() const { return std::max(T_min_, 0.05 * T_max_); }
-  Domain domain() const { return bulk_.domain(); }
-  double molecular_mass() const { return bulk_.molecular_mass(); }
-  double boltzmann() const { return bulk_.boltzmann(); }
-  E const& bulk() const { return bulk_; }
-  double K() const { return K_; }
 
  private:
   /// Inversions of models that reach down to T = 0 stop here, in units of their highest temperature.
   static constexpr double coldest = 1e-12;
 
-  E bulk_;
-  double K_, r_, T_min_, T_max_;
+  double T_min_, T_max_;
 };
 
 /// The same in closed form for models whose isochores are linear: they stay linear.
 template <EquationOfState E>
 requires LinearModel<E>
-class CentreOfMassFree<E> : public LinearEos<CentreOfMassFree<E>> {
+class CentreOfMassFree<E> : public LinearEos<CentreOfMassFree<E>>, public BulkOfParticles<E> {
+  using Base = BulkOfParticles<E>;
+  using Base::bulk_, Base::r_;
+
  public:
   static constexpr std::string_view name = "centre-of-mass-free model";
 
   /// K >= 1 with c_v > 3/2 k_B/(K m0); throws InputError.
-  CentreOfMassFree(E bulk, double K) : bulk_(std::move(bulk)), K_(K) {
-    require(K >= 1 && std::isfinite(K), "particle size K", K, "must be >= 1 and finite");
-    r_ = bulk_.boltzmann() / (K * bulk_.molecular_mass());
+  CentreOfMassFree(E bulk, double K) : Base(std::move(bulk), K) {
     require(c_v() > 0, "particle size K", K, "the heat capacity must exceed that of the centre of mass");
   }
 
@@ -129,15 +147,6 @@ class CentreOfMassFree<E> : public LinearEos<CentreOfMassFree<E>> {
 
   double c_v() const { return bulk_.c_v() - 1.5 * r_; }
   double rho_max() const { return bulk_.rho_max(); }
-  Domain domain() const { return bulk_.domain(); }
-  double molecular_mass() const { return bulk_.molecular_mass(); }
-  double boltzmann() const { return bulk_.boltzmann(); }
-  E const& bulk() const { return bulk_; }
-  double K() const { return K_; }
-
- private:
-  E bulk_;
-  double K_, r_;
 };
 
 } // namespace mesobridge::fitting

@@ -40,7 +40,7 @@ struct MixtureState {
 /// thinned out to a gas that they say nothing about (HZ keeps a pressure of GPa at zero density and thousands
 /// of K). Of several equilibria it finds the one with the densest reactant; a guess leads to the one nearby.
 /// PhysicsError where there is none: hot products of low pressure cannot balance such a reactant.
-/// Many states at once: mixture_array.hpp.
+/// Many states at once: mixture_packed.hpp.
 template <EquationOfState Reactant, EquationOfState Product>
 class Mixture {
   template <class E>
@@ -71,8 +71,6 @@ class Mixture {
     return state_from_temperature(lambda, rho, T).e;
   }
   MixtureState state_from_temperature(double lambda, double rho, double T) const;
-  /// The state at a split that a solution left. Throws PhysicsError where it is not stable.
-  MixtureState state_at(double lambda, double rho, MixtureSplit const& split) const;
   /// Both parts at a split, stable or not, 0 < lambda < 1; for callers that ask for little. Throws
   /// PhysicsError where a part is outside its model.
   At at(double lambda, double rho, MixtureSplit const& split) const {

@@ -4,15 +4,6 @@
 
 namespace mesobridge::fitting {
 
-enum class Component { reactant, product, mixed };
-
-/// Progress outside [0, 1] counts as mixed, whose solution refuses it.
-inline Component component(double lambda, PureProgress const& pure = {}) {
-  if (lambda >= 0 && lambda < pure.reactant_below)
-    return Component::reactant;
-  return lambda <= 1 && lambda > pure.product_above ? Component::product : Component::mixed;
-}
-
 /// As MixtureSplit.
 struct PackedSplit {
   Pack T, log_density_ratio;

@@ -104,22 +104,6 @@ std::optional<MixtureState> Mixture<Reactant, Product>::newton(Problem const& p,
   }
 }
 
-template <EquationOfState Reactant, EquationOfState Product>
-MixtureState Mixture<Reactant, Product>::state_at(double lambda, double rho,
-                                                  MixtureSplit const& split) const {
-  Problem const p{lambda, rho, split.T, Given::temperature};
-  validate(p);
-  if (lambda == 0)
-    return pure(reactant_, p);
-  if (lambda == 1)
-    return pure(product_, p);
-  At const here = at(p, split);
-  if (!(stable(here) && here.heat_capacity() > 0))
-    refuse(p, fmt::format("its parts are not stable at the ratio exp({}) of their densities",
-                          split.log_density_ratio));
-  return state_of(here, split.log_density_ratio);
-}
-
 /// Beyond the highest density of a part its pressure counts as infinite; outside a model there is no value.
 template <EquationOfState Reactant, EquationOfState Product>
 auto Mixture<Reactant, Product>::gap(Problem const& p, MixtureSplit const& split) const -> Gap {

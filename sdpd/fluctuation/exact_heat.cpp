@@ -1,6 +1,5 @@
 #include "sdpd/fluctuation/exact_heat.hpp"
-#include "sdpd/fluctuation/pair_scheme.hpp"
-#include "sdpd/state/pair_counts.hpp"
+#include "sdpd/fluctuation/exact_step.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -18,21 +17,10 @@ void ExactHeat<Law>::step(PairScheme scheme, double weight, Noise const& noise, 
                           PairCounts& counts) {
   auto const there = step_of(sweep, weight, pair_.now());
   double const heat = there.mean + std::sqrt(there.variance) * noise.G;
-  PairStates::States proposed;
-  try {
-    proposed = pair_.with(heat, -heat);
-  } catch (PhysicsError const&) {
-    if (scheme == PairScheme::ssa)
-      throw;
-    ++counts.out_of_domain;
-    return;
-  }
-  if (scheme == PairScheme::ems &&
-      !(noise.uniform < std::exp(log_acceptance(weight, noise.G, heat, sweep, proposed)))) {
-    ++counts.metropolis;
-    return;
-  }
-  pair_[0].u += heat, pair_[1].u -= heat;
+  if (makes_step(scheme, pair_, {heat, -heat}, noise.uniform, counts, [&](auto const& proposed) {
+        return log_acceptance(weight, noise.G, heat, sweep, proposed);
+      }))
+    pair_[0].u += heat, pair_[1].u -= heat;
 }
 
 /// The ratio of the densities of the step back and forth times that of the invariant measure (see conduct).

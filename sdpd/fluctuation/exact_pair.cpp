@@ -1,7 +1,6 @@
 #include "sdpd/fluctuation/exact_pair.hpp"
-#include "sdpd/fluctuation/pair_scheme.hpp"
+#include "sdpd/fluctuation/exact_step.hpp"
 #include "sdpd/fluctuation/scaled_velocity.hpp"
-#include "sdpd/state/pair_counts.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -28,20 +27,10 @@ void ExactPair<Law>::step(PairScheme scheme, Geometry const& geometry, Noise con
   Vec3 const dv = perp.decay * v + perp.kick() * noise.G +
                   ((par.decay - perp.decay) * dot(e, v) + (par.kick() - perp.kick()) * dot(e, noise.G)) * e;
   double const heat = -0.125 * dot(dv, 2 * v + dv);
-  PairStates::States proposed;
-  try {
-    proposed = pair_.with(heat, heat);
-  } catch (PhysicsError const&) {
-    if (scheme == PairScheme::ssa)
-      throw;
-    ++counts.out_of_domain;
+  if (!makes_step(scheme, pair_, {heat, heat}, noise.uniform, counts, [&](auto const& proposed) {
+        return log_acceptance(geometry, noise, sweep, v, dv, proposed);
+      }))
     return;
-  }
-  if (scheme == PairScheme::ems &&
-      !(noise.uniform < std::exp(log_acceptance(geometry, noise, sweep, v, dv, proposed)))) {
-    ++counts.metropolis;
-    return;
-  }
   Vec3 const dp = scale.momentum(0.5 * dv);
   a.p += dp, b.p -= dp;
   a.u += heat, b.u += heat;

@@ -25,8 +25,7 @@ std::vector<Species> SimulationSettings::reduced_species() const {
 
 double SimulationSettings::spacing() const {
   double const of_unit_mass = std::visit([this](auto const& of) { return of.unit_spacing(*this); }, method);
-  return layout ? of_unit_mass
-                : of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
+  return layout ? of_unit_mass : of_unit_mass * std::cbrt(mean_mass(reduced_species(), particle_count()));
 }
 
 double SimulationSettings::range() const {
@@ -65,13 +64,14 @@ template <class AnySpecies>
 void check_species(std::vector<AnySpecies> const& species, bool are_drawn) {
   double sum = 0;
   for (auto const& of : species) {
-    require(!are_drawn || species_shares.contains(of.share), fmt::format("share of species '{}'", of.name), of.share,
-            species_shares.demand());
+    require(!are_drawn || species_shares.contains(of.share), fmt::format("share of species '{}'", of.name),
+            of.share, species_shares.demand());
     require(positive.contains(mass_of(of)), fmt::format("mass of species '{}'", of.name), mass_of(of),
             positive.demand());
     sum += of.share;
   }
-  require(!are_drawn || species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum, "must be 1");
+  require(!are_drawn || species.empty() || std::abs(sum - 1) < 1e-9, "sum of the species' shares", sum,
+          "must be 1");
 }
 
 void check_baths(SimulationSettings const& s) {

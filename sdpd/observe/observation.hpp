@@ -11,16 +11,16 @@ struct Observation {
   double potential = 0; ///< of the pair potential
   double chemical = 0;  ///< that a reaction has still to give
   double wall_work = 0; ///< done on the fluid by its walls so far
-  double given = 0;     ///< to the fluid from outside so far: that work, the walls' heat, the body force's work
+  double given = 0; ///< to the fluid from outside so far: that work, the walls' heat, the body force's work
   double T_kin =
       0; ///< kinetic temperature, of the 3(N-1) degrees of freedom that a fixed total momentum leaves
   /// Internal temperature: the arithmetic mean of T_i for SDPD, the harmonic one for DPDE
   /// (sdpd/README.md, Eq. (S18)), 0 for DPD, which has none.
   double T_int = 0;
-  double P = 0;   ///< N k_B T_kin / V + virial / 3V
-  double rho = 0; ///< mean of the particles' densities; mass per volume where they have none
+  double P = 0;        ///< N k_B T_kin / V + virial / 3V
+  double rho = 0;      ///< mean of the particles' densities; mass per volume where they have none
   double progress = 0; ///< of a reaction, the mean over the mass
-  Vec3 momentum;  ///< total
+  Vec3 momentum;       ///< total
 
   /// What is conserved: the total energy, less what has come from outside.
   double energy() const { return kinetic + internal + potential + chemical - given; }

@@ -28,6 +28,19 @@ double area_of(System const& system, Wall const& wall) {
   return (moves ? system.box.volume() : system.volume()) / component(system.box.edge, wall.axis);
 }
 
+/// What the walls have given so far.
+template <double Wall::*energy>
+Measurement energy_of_both(std::string_view name, std::string_view meaning, bool (*exists)(Features const&)) {
+  return {.name = name,
+          .meaning = meaning,
+          .components = lower_and_upper,
+          .dimension = Dimension::energy,
+          .exists = exists,
+          .values = [](System const& system) {
+            return of_walls(system, [](Wall const& wall) { return wall.*energy; });
+          }};
+}
+
 } // namespace
 
 Measurement wall_pressure() {
@@ -47,14 +60,8 @@ Measurement wall_pressure() {
 }
 
 Measurement wall_work() {
-  return {.name = "wall_work",
-          .meaning = "energy that the lower and the upper walls have given to the fluid",
-          .components = lower_and_upper,
-          .dimension = Dimension::energy,
-          .exists = with_walls,
-          .values = [](System const& system) {
-            return of_walls(system, [](Wall const& wall) { return wall.work; });
-          }};
+  return energy_of_both<&Wall::work>(
+      "wall_work", "energy that the lower and the upper walls have given to the fluid", with_walls);
 }
 
 Measurement wall_drag() {
@@ -74,14 +81,9 @@ Measurement wall_drag() {
 }
 
 Measurement wall_heat() {
-  return {.name = "wall_heat",
-          .meaning = "heat that has come from the lower and the upper walls into the fluid so far",
-          .components = lower_and_upper,
-          .dimension = Dimension::energy,
-          .exists = with_rough_walls,
-          .values = [](System const& system) {
-            return of_walls(system, [](Wall const& wall) { return wall.heat; });
-          }};
+  return energy_of_both<&Wall::heat>(
+      "wall_heat", "heat that has come from the lower and the upper walls into the fluid so far",
+      with_rough_walls);
 }
 
 } // namespace mesobridge::sdpd

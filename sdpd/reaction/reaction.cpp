@@ -1,5 +1,6 @@
 #include "sdpd/reaction/reaction.hpp"
 #include "sdpd/reaction/rates.hpp"
+#include "sdpd/system/sum_over_particles.hpp"
 #include "sdpd/thermodynamics/reacting.hpp"
 
 namespace mesobridge::sdpd {
@@ -16,19 +17,9 @@ double speed(System const& system, std::size_t i) {
 /// The largest over the particles of f(i) >= 0.
 template <class F>
 double largest(System const& system, F const& f) {
-  std::vector<double> parts((system.size() + range_length - 1) / range_length);
-  for_each_range(system, [&](Range range) {
-    double most = 0;
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      if (double const value = f(i); !(value <= most)) // which NaN is not
-        most = value;
-    parts[range.begin / range_length] = most;
+  return fold_over_particles(system, f, 0, [](double most, double value) {
+    return value <= most ? most : value; // which NaN is not
   });
-  double most = 0;
-  for (double const part : parts)
-    if (!(part <= most))
-      most = part;
-  return most;
 }
 
 /// In how many parts of a time the rates of now may be taken as constant.

@@ -25,9 +25,9 @@ struct Region {
   Lattice lattice = Lattice::cubic;
   double spacing = 1; ///< (m/rho)^(1/3), > 0
   std::uint32_t species = 0;
-  double T = 1;       ///< >= 0
+  double T = 1;        ///< >= 0
   double progress = 0; ///< of a reaction
-  Vec3 velocity = {}; ///< at the middle of the box
+  Vec3 velocity = {};  ///< at the middle of the box
   /// How the velocity changes along x, y and z.
   Vec3 along_x = {}, along_y = {}, along_z = {};
 

@@ -14,11 +14,11 @@ using Index = std::uint32_t;
 
 /// What particles have beside positions and momenta, which the method decides, and what bounds them.
 struct Features {
-  bool energies = true;  ///< SDPD, DPDE
-  bool densities = true; ///< SDPD; without them temperatures average harmonically
-  bool masses = false;   ///< several species: each particle has a mass of its own
-  bool reacts = false;   ///< a reactant becomes a product
-  bool walls = false;    ///< the box has some
+  bool energies = true;     ///< SDPD, DPDE
+  bool densities = true;    ///< SDPD; without them temperatures average harmonically
+  bool masses = false;      ///< several species: each particle has a mass of its own
+  bool reacts = false;      ///< a reactant becomes a product
+  bool walls = false;       ///< the box has some
   bool rough_walls = false; ///< with friction
   bool body_force = false;
 };
@@ -38,9 +38,9 @@ struct Particles {
   std::vector<double> T;              ///< internal temperature
   std::vector<double> P;              ///< pressure
   std::vector<double> mass;
-  std::vector<double> progress; ///< lambda, the product's share of the mass, of what reacts
+  std::vector<double> progress;          ///< lambda, the product's share of the mass, of what reacts
   std::vector<double> log_density_ratio; ///< ln(rho_1/rho_0) of product and reactant in what is a mixture
-  std::vector<Vec3> f; ///< conservative force
+  std::vector<Vec3> f;                   ///< conservative force
   std::vector<Caloric> caloric;
 
   std::size_t size() const { return id.size(); }
@@ -55,10 +55,10 @@ struct Field {
   std::string_view name; ///< in scenes and, with the unit's key, in files
   std::vector<double> Particles::*values;
   Dimension dimension;
-  bool Features::*feature;   ///< who has it
-  bool checkpointed = false; ///< a run cannot go on without it: the others follow from these
-  bool written = false;      ///< in trajectories, and histograms may count it
-  bool profiled = false;     ///< profiles may show its mean over a slice, under its own name
+  bool Features::*feature;        ///< who has it
+  bool checkpointed = false;      ///< a run cannot go on without it: the others follow from these
+  bool written = false;           ///< in trajectories, and histograms may count it
+  bool profiled = false;          ///< profiles may show its mean over a slice, under its own name
   NumberRange range = any_number; ///< no other value makes sense
 };
 

@@ -30,9 +30,9 @@ struct System {
   AnyKernel kernel;                                     ///< SDPD
   double self_density;                                  ///< what a particle adds to its own density
   DensitySum density_sum = DensitySum::mass;
-  AnyPotential potential;                               ///< DPD, DPDE
-  AnyPairLaw law;                                       ///< friction and noise
-  AnyConduction conduction;                             ///< of heat, SDPD and DPDE
+  AnyPotential potential;   ///< DPD, DPDE
+  AnyPairLaw law;           ///< friction and noise
+  AnyConduction conduction; ///< of heat, SDPD and DPDE
   Neighbours neighbours;
   std::vector<Wall> walls;         ///< at those faces of the box that have one
   std::vector<WallCorner> corners; ///< where walls of several axes meet
@@ -60,7 +60,7 @@ struct System {
   std::vector<double> energy_gain; ///< of the particles since their caloric expansions began, during a sweep
   std::vector<Rates> rates;        ///< of the reaction, in the part of a time step under way
   ReactionStart reaction_start;
-  std::vector<Vec3> impulse;       ///< given to the particles by a sweep of SER
+  std::vector<Vec3> impulse; ///< given to the particles by a sweep of SER
 
   std::size_t size() const { return particles.size(); }
 

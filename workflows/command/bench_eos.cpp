@@ -1,6 +1,6 @@
 #include "fitting/eos/array.hpp"
 #include "fitting/eos/list.hpp"
-#include "fitting/eos/mixture_array.hpp"
+#include "fitting/eos/mixture_packed.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/shared_options.hpp"
 #include <algorithm>
@@ -94,18 +94,21 @@ struct MixtureBatches {
   std::vector<double> lambda, rho[2], e[2], s[2], T, log_density_ratio, P, C, c_2;
   int now = 0;
 
-  fitting::MixtureStates next() {
-    now = 1 - now;
-    return {lambda, rho[now], e[now], s[now], T, log_density_ratio, P, C, c_2};
+  void next() { now = 1 - now; }
+  fitting::MixtureSplit split(std::size_t i) const { return {T[i], log_density_ratio[i]}; }
+  void take(std::size_t i, fitting::MixtureState const& state) {
+    T[i] = state.T, log_density_ratio[i] = state.split.log_density_ratio;
+    P[i] = state.P, C[i] = state.c_v, c_2[i] = state.sound_speed_squared;
   }
 };
 
+/// Of n states, or of so many more that they fill packs.
 template <class A, class B>
 MixtureBatches mixture_batches(fitting::Mixture<A, B> const& mixture, int n, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   std::uniform_real_distribution<double> progress(0.01, 0.99), density(1400, 1900), temperature(1500, 4500);
   MixtureBatches batches;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n || i % fitting::Pack::size != 0; ++i) {
     double const lambda = progress(generator), rho = density(generator);
     auto const state = mixture.state_from_temperature(lambda, rho, temperature(generator));
     auto const near = mixture.state(lambda, 1.001 * rho, 1.003 * state.e, state.split);
@@ -115,29 +118,60 @@ MixtureBatches mixture_batches(fitting::Mixture<A, B> const& mixture, int n, std
     batches.T.push_back(state.T), batches.log_density_ratio.push_back(state.split.log_density_ratio);
   }
   for (auto* const out : {&batches.P, &batches.C, &batches.c_2})
-    out->resize(static_cast<std::size_t>(n));
+    out->resize(batches.T.size());
   return batches;
+}
+
+/// Solves a batch by packs, as the engine does: solve(lambda, rho, place, guess) a pack, alone(place) the
+/// states that it leaves.
+template <class A, class B>
+void solve_packs(fitting::PackedMixture<A, B> const& packed, MixtureBatches& of, auto&& solve, auto&& alone) {
+  using fitting::Pack;
+  of.next();
+  for (std::size_t i = 0; i < of.T.size(); i += Pack::size) {
+    Pack const lambda = Pack::load(&of.lambda[i]), rho = Pack::load(&of.rho[of.now][i]);
+    auto const found = solve(
+        lambda, rho, i, fitting::PackedSplit{Pack::load(&of.T[i]), Pack::load(&of.log_density_ratio[i])});
+    if (!fitting::all_of(found.solved)) {
+      for (std::size_t lane = 0; lane < Pack::size; ++lane)
+        alone(i + lane);
+      continue;
+    }
+    auto const at = packed.at(lambda, rho, found.split);
+    found.split.T.store(&of.T[i]), found.split.log_density_ratio.store(&of.log_density_ratio[i]);
+    at.pressure().store(&of.P[i]), at.heat_capacity().store(&of.C[i]);
+    at.sound_speed_squared().store(&of.c_2[i]);
+  }
 }
 
 /// Of the built-in explosive.
 Json times_of_mixtures(BenchEosOptions const& options, std::uint64_t seed, fitting::VolumeLaw law) {
+  using fitting::Pack;
   fitting::Mixture const mixture(std::get<fitting::Hz>(fitting::material("nitromethane").eos),
                                  std::get<fitting::Jwl>(fitting::material("nitromethane-products").eos), law);
-  fitting::MixtureArray const array(mixture);
-  auto batches = mixture_batches(mixture, options.states, seed);
-  auto const n = static_cast<std::size_t>(options.states);
-  auto const failed = [](std::size_t, PhysicsError const& error) { throw error; };
-  auto const time = [&](auto&& all) { return ns_per_call(options.states, options.repeats, all); };
-  return {{"T_P_C_c_array", time([&] { array.from_energy(batches.next(), 0, n, failed); })},
-          {"energy_from_entropy_array", time([&] { array.from_entropy(batches.next(), 0, n, failed); })},
+  fitting::PackedMixture const packed(mixture);
+  auto of = mixture_batches(mixture, options.states, seed);
+  auto const time = [&](auto&& all) {
+    return ns_per_call(static_cast<int>(of.T.size()), options.repeats, all);
+  };
+  auto const by_energy = [&](std::size_t i) {
+    of.take(i, mixture.state(of.lambda[i], of.rho[of.now][i], of.e[of.now][i], of.split(i)));
+  };
+  auto const by_entropy = [&](std::size_t i) {
+    of.take(i, mixture.state_from_entropy(of.lambda[i], of.rho[of.now][i], of.s[of.now][i], of.split(i)));
+  };
+  auto const packs_by_energy = [&](Pack lambda, Pack rho, std::size_t i, auto const& guess) {
+    return packed.from_energy(lambda, rho, Pack::load(&of.e[of.now][i]), guess);
+  };
+  auto const packs_by_entropy = [&](Pack lambda, Pack rho, std::size_t i, auto const& guess) {
+    return packed.from_entropy(lambda, rho, Pack::load(&of.s[of.now][i]), guess);
+  };
+  return {{"T_P_C_c_array", time([&] { solve_packs(packed, of, packs_by_energy, by_energy); })},
+          {"energy_from_entropy_array", time([&] { solve_packs(packed, of, packs_by_entropy, by_entropy); })},
           {"state_alone", time([&] {
-             auto const states = batches.next();
-             for (std::size_t i = 0; i < n; ++i) {
-               auto const found =
-                   mixture.state(states.lambda[i], states.rho[i], states.e[i],
-                                 fitting::MixtureSplit{states.T[i], states.log_density_ratio[i]});
-               states.T[i] = found.T, states.log_density_ratio[i] = found.split.log_density_ratio;
-             }
+             of.next();
+             for (std::size_t i = 0; i < of.T.size(); ++i)
+               by_energy(i);
            })}};
 }
 

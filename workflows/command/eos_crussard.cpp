@@ -51,14 +51,11 @@ Result crussard(EosCrussardOptions const& options, Context const& context) {
     return result;
   auto const curve = options.shock.curve(explosive.crussard, asked);
   auto const columns = shock_columns(curve);
-  result.json["curve"] = arrays(columns, reduced);
-  write_curve(
-      context, result, [&] { return csv_text(columns, reduced); },
-      [&] {
-        return detonation_plot({explosive.reactant.name, explosive.product.name, explosive.reactant.fluid,
-                                explosive.product.fluid, explosive.at_rest, explosive.crussard, reduced},
-                               curve, slices);
-      });
+  put_curve(context, result, columns, reduced, [&] {
+    return detonation_plot({explosive.reactant.name, explosive.product.name, explosive.reactant.fluid,
+                            explosive.product.fluid, explosive.at_rest, explosive.crussard, reduced},
+                           curve, slices);
+  });
   if (!asked && !context.options.output)
     result.text = csv_text(columns, reduced);
   return result;

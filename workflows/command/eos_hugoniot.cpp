@@ -54,10 +54,8 @@ Result hugoniot(EosHugoniotOptions const& options, Context const& context) {
     return result;
   auto const curve = options.shock.curve(hugoniot, asked);
   auto const columns = shock_columns(curve);
-  result.json["curve"] = arrays(columns, model.reduced);
-  write_curve(
-      context, result, [&] { return csv_text(columns, model.reduced); },
-      [&] { return hugoniot_plot(model, hugoniot, curve, asked); });
+  put_curve(context, result, columns, model.reduced,
+            [&] { return hugoniot_plot(model, hugoniot, curve, asked); });
   if (!asked && !context.options.output)
     result.text = csv_text(columns, model.reduced);
   return result;

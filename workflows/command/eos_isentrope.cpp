@@ -71,11 +71,8 @@ Result isentrope(EosIsentropeOptions const& options, Context const& context) {
   result.json["model"] = options.eos.model;
   put_first_row(result.json, end, model.reduced);
   put_first_row(result.json["from"], state_columns({isentrope.from()}), model.reduced);
-  result.json["curve"] = arrays(columns, model.reduced);
   result.text = lines_text(end, model.reduced);
-  write_curve(
-      context, result, [&] { return csv_text(columns, model.reduced); },
-      [&] { return isentrope_plot(model, columns); });
+  put_curve(context, result, columns, model.reduced, [&] { return isentrope_plot(model, columns); });
   return result;
 }
 

@@ -62,11 +62,8 @@ Result profile(EosProfileOptions const& options, Context const& context) {
   Result result;
   result.json["model"] = options.eos.model;
   put_first_row(result.json, head, model.reduced);
-  result.json["curve"] = arrays(columns, model.reduced);
   result.text = lines_text(head, model.reduced);
-  write_curve(
-      context, result, [&] { return csv_text(columns, model.reduced); },
-      [&] { return profile_plot(model, profile); });
+  put_curve(context, result, columns, model.reduced, [&] { return profile_plot(model, profile); });
   return result;
 }
 

@@ -106,10 +106,7 @@ Result riemann(EosRiemannOptions const& options, Context const& context) {
   for (auto const* name : {"left_wave", "right_wave"})
     result.text += fmt::format("{:<12} {}\n", name, result.json[name].dump());
   auto const columns = flow_columns(solution, options.points);
-  result.json["curve"] = arrays(columns, reduced);
-  write_curve(
-      context, result, [&] { return csv_text(columns, reduced); },
-      [&] { return riemann_plot(columns, reduced); });
+  put_curve(context, result, columns, reduced, [&] { return riemann_plot(columns, reduced); });
   return result;
 }
 

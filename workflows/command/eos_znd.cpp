@@ -105,14 +105,12 @@ Result znd(EosZndOptions const& options, Context const& context) {
   put_first_row(result.json["chapman_jouguet"], shock_columns({cj}), false);
   put_first_row(result.json["end"], shock_columns({zone.D() > cj.v_S ? crussard.from_speed(zone.D()) : cj}),
                 false);
-  result.json["curve"] = arrays(columns, false);
   result.text = lines_text(head, false) +
                 fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",
                             fitting::zone_begin, fitting::zone_end, fluid.at_rest.P);
   auto const title =
       fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.explosive.detonation.reactant, zone.D());
-  write_curve(
-      context, result, [&] { return csv_text(columns, false); }, [&] { return zone_plot(title, points); });
+  put_curve(context, result, columns, false, [&] { return zone_plot(title, points); });
   return result;
 }
 

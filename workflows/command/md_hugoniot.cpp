@@ -1,7 +1,6 @@
 #include "cg/hugoniot_plan.hpp"
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
-#include "workflows/earlier_results.hpp"
 #include "workflows/metal/hugoniostat_check.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
@@ -152,10 +151,7 @@ Result sample_hugoniot(MdHugoniotOptions const& options, Context const& context)
   job.runs = directory / "hugoniot-runs.h5";
   job.settings.log_file = directory / "lammps.log";
   check_request(request, job.settings);
-  if (!job.resume)
-    keep_earlier_results(context, options.metal.started_by_ourselves, directory,
-                         {job.runs, directory / "hugoniot.h5", directory / "hugoniot.csv",
-                          directory / "hugoniot.json", job.settings.log_file});
+  keep_earlier_results(options.metal, job, directory, "hugoniot", context);
   if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, request, context); }))
     return told_elsewhere();
   return curve(job, request, options.hugoniostat, context);

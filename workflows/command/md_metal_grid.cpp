@@ -1,6 +1,5 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
-#include "workflows/earlier_results.hpp"
 #include "workflows/metal/metal_options.hpp"
 #include "workflows/metal/metal_sampler.hpp"
 #include "workflows/metal/metal_table.hpp"
@@ -78,10 +77,7 @@ Result metal_grid(MdMetalGridOptions const& options, Context const& context) {
   auto const directory = context.output_directory("out/metal-grid");
   job.runs = directory / "metal-runs.h5";
   job.settings.log_file = directory / "lammps.log";
-  if (!job.resume)
-    keep_earlier_results(context, options.metal.started_by_ourselves, directory,
-                         {job.runs, directory / "metal-grid.h5", directory / "metal-grid.csv",
-                          directory / "metal-grid.json", job.settings.log_file});
+  keep_earlier_results(options.metal, job, directory, "metal-grid", context);
   if (!work_and_tell(context, options.metal.started_by_ourselves, [&] { sample(job, states, context); }))
     return told_elsewhere();
   return table(job, context);

@@ -44,6 +44,13 @@ void write_curve(Context const& context, Result& result, std::function<std::stri
   result.text += fmt::format("written to   {}\n", file->string());
 }
 
+void put_curve(Context const& context, Result& result, Columns const& columns, bool reduced,
+               std::function<Plot()> const& plot) {
+  result.json["curve"] = arrays(columns, reduced);
+  write_curve(
+      context, result, [&] { return csv_text(columns, reduced); }, plot);
+}
+
 double pressure_unit(bool reduced) {
   constexpr double GPa = 1e9;
   return reduced ? 1 : GPa;

@@ -14,6 +14,10 @@ CurveFile curve_file(std::filesystem::path const& path);
 void write_curve(Context const& context, Result& result, std::function<std::string()> const& csv,
                  std::function<Plot()> const& plot);
 
+/// A curve's columns, into the result, too.
+void put_curve(Context const& context, Result& result, Columns const& columns, bool reduced,
+               std::function<Plot()> const& plot);
+
 /// Pressures in plots are in GPa, or reduced.
 double pressure_unit(bool reduced);
 /// "P [GPa]" or "P*"; "rho [kg/m^3]" or "rho*".

@@ -13,6 +13,19 @@ std::optional<double> found_in(std::map<Quantity, double> const& numbers, Quanti
   return found == numbers.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::map<Quantity, double>& numbers_of_role(RowNumbers& numbers, DataColumn::Role role) {
+  switch (role) {
+  case DataColumn::Role::standard_error:
+    return numbers.errors;
+  case DataColumn::Role::start:
+    return numbers.start;
+  case DataColumn::Role::start_error:
+    return numbers.start_errors;
+  default:
+    return numbers.values;
+  }
+}
+
 } // namespace
 
 std::optional<double> RowNumbers::value(Quantity quantity) const {
@@ -33,25 +46,11 @@ RowNumbers numbers_of(DataRow const& row, std::map<std::string, DataColumn> cons
   for (auto const& [name, number] : row.numbers) {
     auto const& column = columns.at(name);
     double const value = number * column.factor;
-    bool fresh = true;
-    switch (column.role) {
-    case DataColumn::Role::value:
-      fresh = numbers.values.emplace(column.quantity, value).second;
-      break;
-    case DataColumn::Role::standard_error:
-      fresh = numbers.errors.emplace(column.quantity, value).second;
-      break;
-    case DataColumn::Role::start:
-      fresh = numbers.start.emplace(column.quantity, value).second;
-      break;
-    case DataColumn::Role::start_error:
-      fresh = numbers.start_errors.emplace(column.quantity, value).second;
-      break;
-    case DataColumn::Role::P_e_correlation:
+    if (column.role == DataColumn::Role::P_e_correlation) {
       numbers.P_e_correlation = number;
-      break;
+      continue;
     }
-    if (!fresh)
+    if (!numbers_of_role(numbers, column.role).emplace(column.quantity, value).second)
       throw InputError(
           fmt::format("{}: column '{}': {} is given twice", row.origin, name, symbol(column.quantity)));
   }

@@ -34,10 +34,14 @@ Series curve_over_sizes(std::string label, std::vector<RunResult> const& runs, i
   return series;
 }
 
-Plot size_plot(std::string name, std::string title, std::string y) {
+/// Something against the size of the particles of the runs.
+Plot size_plot(std::string name, std::string title, std::string y, std::vector<RunResult> const& runs) {
   Plot plot{.name = std::move(name),
             .title = std::move(title),
-            .x = {.label = "particle size K", .logarithmic = true, .min = 7, .max = 15000},
+            .x = {.label = "particle size K",
+                  .logarithmic = true,
+                  .min = runs.front().settings.K() / 1.5,
+                  .max = runs.back().settings.K() * 1.5},
             .panels = {Panel{}}};
   plot.panels[0].y.label = std::move(y);
   return plot;
@@ -45,12 +49,6 @@ Plot size_plot(std::string name, std::string title, std::string y) {
 
 std::string size_label(RunResult const& run) {
   return fmt::format("K = {:g}", run.settings.K());
-}
-
-/// The limits of a logarithmic axis around the sizes.
-void frame_sizes(Plot& plot, std::vector<RunResult> const& runs) {
-  plot.x.min = runs.front().settings.K() / 1.5;
-  plot.x.max = runs.back().settings.K() * 1.5;
 }
 
 fitting::EosState target(RunResult const& run) {
@@ -62,7 +60,7 @@ fitting::EosState target(RunResult const& run) {
 
 Plot pressure_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("pressureK", "Pressure", "P [GPa]");
+  auto plot = size_plot("pressureK", "Pressure", "P [GPa]", runs);
   auto in_GPa = [](RunResult const& run) { return run.settings.units().pressure() / 1e9; };
   double const eos = target(runs.front()).P / 1e9;
   plot.panels[0].series = {
@@ -72,38 +70,35 @@ Plot pressure_against_size(ChainResults const& results) {
                    [&](auto const& run) { return scaled(run.equilibrium.P_i.mean, in_GPa(run)); }),
       curve_over_sizes("thesis, Table 5.1", runs, 2, [](double K) { return thesis_means(K).pressure; }),
       curve_over_sizes("fitted equation of state", runs, 3, [&](double) { return eos; })};
-  frame_sizes(plot, runs);
   return plot;
 }
 
 Plot temperatures_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("temperatureK", "Temperatures", "T [K]");
+  auto plot = size_plot("temperatureK", "Temperatures", "T [K]", runs);
   plot.panels[0].series = {
       against_size("kinetic", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.T_kin, fluid_T); }),
       against_size("internal", runs, 1,
                    [](auto const& run) { return scaled(run.equilibrium.T_int, fluid_T); })};
   plot.panels[0].level_lines = {fluid_T};
-  frame_sizes(plot, runs);
   return plot;
 }
 
 Plot density_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]");
+  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]", runs);
   plot.panels[0].series = {
       against_size("SDPD", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.rho.mean, fluid_rho); }),
       curve_over_sizes("thesis, Table 5.1", runs, 2, [](double K) { return thesis_means(K).density; })};
   plot.panels[0].level_lines = {fluid_rho};
-  frame_sizes(plot, runs);
   return plot;
 }
 
 Plot variances_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("varianceK", "Variances over the particles", "variance");
+  auto plot = size_plot("varianceK", "Variances over the particles", "variance", runs);
   plot.panels[0].y.logarithmic = true;
   auto add = [&](std::string const& label, int colour, auto estimate, double ThesisMeans::*member) {
     plot.panels[0].series.push_back(against_size(label, runs, colour, estimate));
@@ -124,7 +119,6 @@ Plot variances_against_size(ChainResults const& results) {
         return scaled(run.equilibrium.P_i.variance, squared(run.settings.units().pressure() / 1e9));
       },
       &ThesisMeans::pressure);
-  frame_sizes(plot, runs);
   return plot;
 }
 

@@ -1,4 +1,5 @@
 #include "workflows/metal/metal_options.hpp"
+#include "workflows/earlier_results.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/shared_options.hpp"
 
@@ -43,6 +44,15 @@ md::MetalSettings settings_of(MetalOptions const& options, Context const& contex
   settings.reduced_time_step = options.time_step.value_or(settings.reduced_time_step);
   settings.seed = context.options.seed.value_or(settings.seed);
   return settings;
+}
+
+void keep_earlier_results(MetalOptions const& options, MetalJob const& job,
+                          std::filesystem::path const& directory, std::string const& name,
+                          Context const& context) {
+  if (!job.resume)
+    keep_earlier_results(context, options.started_by_ourselves, directory,
+                         {job.runs, directory / (name + ".h5"), directory / (name + ".csv"),
+                          directory / (name + ".json"), job.settings.log_file});
 }
 
 } // namespace mesobridge::workflows

@@ -3,8 +3,8 @@
 
 namespace mesobridge::workflows {
 
-/// Whether something keeps the fluid from equilibrium: regions, a reaction, a piston, walls that slide, a body
-/// force, or vacuum beyond an open face. It has then no one temperature that could be the scene's.
+/// Whether something keeps the fluid from equilibrium: regions, a reaction, a piston, walls that slide, a
+/// body force, or vacuum beyond an open face. It has then no one temperature that could be the scene's.
 inline bool is_driven(Scene const& scene) {
   auto const& box = scene.box;
   return !scene.regions.empty() || scene.features().reacts || box.piston || box.piston_file ||

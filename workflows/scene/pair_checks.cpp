@@ -9,11 +9,7 @@ namespace {
 
 void check_potential(Scene const& scene, Places const& places) {
   auto const& potential = scene.potential;
-  std::vector<WantedKey> keys;
-  for (auto const& parameter : potential_parameters())
-    keys.push_back({fmt::format("potential.{}", parameter.name),
-                    potential.parameters[parameter.name].has_value(),
-                    names_with(sdpd::potentials(), parameter.name)});
+  auto keys = parameter_keys("potential", potential_parameters(), potential.parameters, sdpd::potentials());
   keys.push_back({"potential.file", potential.file.has_value(), {"table"}});
   check_wanted("potential.name", potential.name, keys, places);
 }

@@ -34,11 +34,7 @@ void check_none(Scene const& scene, Places const& places) {
 
 void check_kinetics(Scene const& scene, Places const& places) {
   auto const& reaction = scene.reaction;
-  std::vector<WantedKey> keys;
-  for (auto const& parameter : kinetics_parameters())
-    keys.push_back({fmt::format("reaction.{}", parameter.name),
-                    reaction.parameters[parameter.name].has_value(),
-                    names_with(sdpd::kinetics(), parameter.name)});
+  auto const keys = parameter_keys("reaction", kinetics_parameters(), reaction.parameters, sdpd::kinetics());
   check_wanted("reaction.kinetics", reaction.kinetics, keys, places);
   require_together(reaction.weights == "kernel" || reaction.kinetics.starts_with("second-order"), places,
                    "reaction.weights", reaction.weights,

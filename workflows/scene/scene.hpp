@@ -112,8 +112,8 @@ struct Scene {
     double eta = 0, zeta = 0, kappa = 0;
     bool operator==(Transport const&) const = default;
   } transport;
-  struct Reaction {                      ///< sdpd
-    std::optional<std::string> product;  ///< as fluid.eos, which is the reactant; without it nothing reacts
+  struct Reaction {                     ///< sdpd
+    std::optional<std::string> product; ///< as fluid.eos, which is the reactant; without it nothing reacts
     std::optional<double> heat, heat_per_molecule; ///< one of the two
     std::string volumes = "additive";
     std::string kinetics = "second-order";
@@ -183,7 +183,7 @@ struct Scene {
     std::vector<std::string> quantities; ///< empty: all that the method has
     bool operator==(Series const&) const = default;
   } series;
-  struct Film { ///< pictures of the particles of a slab, into run.h5 and the report
+  struct Film {                          ///< pictures of the particles of a slab, into run.h5 and the report
     std::optional<std::string> quantity; ///< whose value is the colour; none: no film
     std::int64_t every = 0;              ///< 0: six frames
     std::optional<std::string> axis;     ///< along which one looks

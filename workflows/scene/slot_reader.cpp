@@ -44,6 +44,24 @@ struct SlotReader {
     return *value;
   }
 
+  std::int64_t integer(toml::node const& of) const {
+    auto const value = of.value_exact<std::int64_t>();
+    if (!value || !key.range.contains(static_cast<double>(*value)))
+      refuse();
+    return *value;
+  }
+
+  /// read(element) of every element of a list.
+  template <class Value, class Read>
+  void fill(std::vector<Value>& values, Read const& read) const {
+    auto const* list = node.as_array();
+    if (!list)
+      refuse();
+    values.clear();
+    for (auto const& element : *list)
+      values.push_back(read(element));
+  }
+
   double quantity(toml::node const& of) const {
     if (!key.dimension || units == UnitSystem::lj)
       return number(of);
@@ -73,35 +91,17 @@ struct SlotReader {
   void operator()(UnitSystem* slot) const { *slot = text() == "SI" ? UnitSystem::SI : UnitSystem::lj; }
   void operator()(double* slot) const { *slot = quantity(node); }
   void operator()(std::optional<double>* slot) const { *slot = quantity(node); }
-  void operator()(std::int64_t* slot) const {
-    auto const value = node.value_exact<std::int64_t>();
-    if (!value || !key.range.contains(static_cast<double>(*value)))
-      refuse();
-    *slot = *value;
-  }
+  void operator()(std::int64_t* slot) const { *slot = integer(node); }
   void operator()(std::vector<std::string>* slot) const {
-    auto const* list = node.as_array();
-    if (!list)
-      refuse();
-    slot->clear();
-    for (auto const& element : *list) {
+    fill(*slot, [&](auto const& element) {
       auto word = text(element);
       require(std::find(slot->begin(), slot->end(), word) == slot->end(), "a text of the list", word,
               "must stand there once");
-      slot->push_back(std::move(word));
-    }
+      return word;
+    });
   }
   void operator()(std::vector<std::int64_t>* slot) const {
-    auto const* list = node.as_array();
-    if (!list)
-      refuse();
-    slot->clear();
-    for (auto const& element : *list) {
-      auto const value = element.value_exact<std::int64_t>();
-      if (!value || !key.range.contains(static_cast<double>(*value)))
-        refuse();
-      slot->push_back(*value);
-    }
+    fill(*slot, [&](auto const& element) { return integer(element); });
   }
   void operator()(std::vector<double>* slot) const {
     auto const* list = node.as_array();

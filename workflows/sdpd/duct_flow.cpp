@@ -15,8 +15,8 @@ double ratio_of_cosh(double k, double y, double b) {
 }
 
 /// The flow between two planes, z (a - z)/2, less what the other two walls take: the sum over odd n of
-/// 4 a^2/(pi n)^3 (-1)^((n-1)/2) cos(n pi (z - a/2)/a) taken(n pi/a). The planes' flow is the same series with
-/// taken = 1, whose end would be missed near the walls.
+/// 4 a^2/(pi n)^3 (-1)^((n-1)/2) cos(n pi (z - a/2)/a) taken(n pi/a). The planes' flow is the same series
+/// with taken = 1, whose end would be missed near the walls.
 template <class Taken>
 double between_planes_less(double z, double a, Taken const& taken) {
   double v = z * (a - z) / 2;

@@ -122,22 +122,21 @@ void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation,
     xyz_->append(frame);
 }
 
+template <class F>
+void Trajectories::for_each_writer(F const& f) {
+  auto const if_there = [&](auto& writer) {
+    if (writer)
+      f(*writer);
+  };
+  if_there(h5md_), if_there(vtkhdf_), if_there(xyz_);
+}
+
 void Trajectories::mark() {
-  if (h5md_)
-    h5md_->mark();
-  if (vtkhdf_)
-    vtkhdf_->mark();
-  if (xyz_)
-    xyz_->mark();
+  for_each_writer([](auto& writer) { writer.mark(); });
 }
 
 void Trajectories::close() {
-  if (h5md_)
-    h5md_->close();
-  if (vtkhdf_)
-    vtkhdf_->close();
-  if (xyz_)
-    xyz_->close();
+  for_each_writer([](auto& writer) { writer.close(); });
 }
 
 } // namespace mesobridge::workflows

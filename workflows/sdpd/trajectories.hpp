@@ -35,6 +35,9 @@ class Trajectories {
   void close();
 
  private:
+  template <class F>
+  void for_each_writer(F const& f); ///< of those that the scene asks for
+
   Scene::Run schedule_;
   bool si_;
   std::optional<H5mdWriter> h5md_;

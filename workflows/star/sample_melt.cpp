@@ -1,6 +1,5 @@
 #include "workflows/star/sample_melt.hpp"
 #include "workflows/h5md.hpp"
-#include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/star_sampling.hpp"
@@ -83,24 +82,15 @@ bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& cont
     progress.emplace(context.progress(
         fmt::format("melt of {} stars at rho = {}", job.settings.star.name(), job.settings.rho), 1));
   }
-  md::StarMeltConsumers const consumers{.frames =
-                                            [&](md::MoleculeFrame const& frame) {
-                                              auto blobs = cg::gather_blobs(world, frame, maker.blobs(frame));
-                                              if (files)
-                                                files->hold(std::move(blobs));
-                                            },
-                                        .checkpoint = [&] { return files ? files->write() : void(); },
-                                        .steps =
-                                            [&](std::int64_t done, std::int64_t all) {
-                                              progress->update(double(done) / double(all));
-                                              return !interrupt_requested();
-                                            }};
-  bool const complete = md::sample_star_melt(world, job.settings, job.resume, consumers);
-  if (files)
-    files->close();
-  if (progress && complete)
-    progress->finish();
-  return complete;
+  md::StarConsumers const consumers{.frames =
+                                        [&](md::MoleculeFrame const& frame) {
+                                          auto blobs = cg::gather_blobs(world, frame, maker.blobs(frame));
+                                          if (files)
+                                            files->hold(std::move(blobs));
+                                        },
+                                    .checkpoint = [&] { return files ? files->write() : void(); },
+                                    .steps = watched(progress)};
+  return closed(md::sample_star_melt(world, job.settings, job.resume, consumers), files, progress);
 }
 
 } // namespace

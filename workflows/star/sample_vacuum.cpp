@@ -1,6 +1,5 @@
 #include "workflows/star/sample_vacuum.hpp"
 #include "cg/blobs.hpp"
-#include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/star_sampling.hpp"
 #include <cmath>
@@ -59,32 +58,22 @@ bool run_vacuum(md::MpiWorld const& world, VacuumJob const& job, Context const& 
     progress.emplace(context.progress(
         fmt::format("isolated {} stars, {}", job.settings.star.name(), kind_of(job.settings)), 1));
   }
-  md::StarVacuumConsumers const consumers{.frames =
-                                              [&](md::MoleculeFrame const& frame) {
-                                                auto blobs =
-                                                    cg::gather_blobs(world, frame, maker.blobs(frame));
-                                                if (!file)
-                                                  return;
-                                                refuse_neighbours(blobs);
-                                                held.push_back(std::move(blobs));
-                                              },
-                                          .checkpoint =
-                                              [&] {
-                                                if (file)
-                                                  file->append(held);
-                                                held.clear();
-                                              },
-                                          .steps =
-                                              [&](std::int64_t done, std::int64_t all) {
-                                                progress->update(double(done) / double(all));
-                                                return !interrupt_requested();
-                                              }};
-  bool const complete = md::sample_star_vacuum(world, job.settings, job.resume, consumers);
-  if (file)
-    file->close();
-  if (progress && complete)
-    progress->finish();
-  return complete;
+  md::StarConsumers const consumers{.frames =
+                                        [&](md::MoleculeFrame const& frame) {
+                                          auto blobs = cg::gather_blobs(world, frame, maker.blobs(frame));
+                                          if (!file)
+                                            return;
+                                          refuse_neighbours(blobs);
+                                          held.push_back(std::move(blobs));
+                                        },
+                                    .checkpoint =
+                                        [&] {
+                                          if (file)
+                                            file->append(held);
+                                          held.clear();
+                                        },
+                                    .steps = watched(progress)};
+  return closed(md::sample_star_vacuum(world, job.settings, job.resume, consumers), file, progress);
 }
 
 Json vacuum_summary(VacuumJob const& job) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
+#include "workflows/interrupt.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
 
@@ -22,6 +23,24 @@ void sample_stars(Job const& job, Context const& context, Run const& run, Summar
           fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
     write_summary(job.summary(), summary(job));
   });
+}
+
+/// Shows how far a run is, and stops it for the user. Only rank 0 has a progress and is asked.
+inline std::function<bool(std::int64_t, std::int64_t)> watched(std::optional<Progress>& progress) {
+  return [&progress](std::int64_t done, std::int64_t all) {
+    progress->update(double(done) / double(all));
+    return !interrupt_requested();
+  };
+}
+
+/// Closes the files of a run, which only rank 0 has; returns whether it is complete.
+template <class Files>
+bool closed(bool complete, std::optional<Files>& files, std::optional<Progress>& progress) {
+  if (files)
+    files->close();
+  if (progress && complete)
+    progress->finish();
+  return complete;
 }
 
 /// Words of a call of this program.

@@ -1,5 +1,6 @@
 #pragma once
 #include "cg/blobs.hpp"
+#include "md/star_consumers.hpp"
 #include "scratch_directory.hpp"
 #include <gtest/gtest.h>
 #include <optional>
@@ -10,8 +11,7 @@ namespace mesobridge::cg::test {
 class BlobRun : public ::testing::Test {
  protected:
   /// What writes the frames down, and stops the run at a step.
-  template <class Consumers>
-  Consumers recorder(md::StarPolymer const& star, std::optional<std::int64_t> stop_at) {
+  md::StarConsumers recorder(md::StarPolymer const& star, std::optional<std::int64_t> stop_at) {
     frames_.clear(), safe_.clear();
     maker_.emplace(model_of(star));
     return {.frames =

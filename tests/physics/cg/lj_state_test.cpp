@@ -1,8 +1,8 @@
 #include "cg/state_grid.hpp"
 #include "fitting/eos/kolafa_nezbeda.hpp"
 #include "md/lj_fluid.hpp"
+#include "temporary_log.hpp"
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mesobridge::cg::test {
 namespace {
@@ -10,8 +10,7 @@ namespace {
 using fitting::kolafa_nezbeda_energy, fitting::kolafa_nezbeda_heat_capacity, fitting::kolafa_nezbeda_pressure;
 
 StatePoint measure(md::LjState state, md::LjFluidSettings settings) {
-  settings.log_file =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-lj-{}.log", ::getpid());
+  settings.log_file = tests::temporary_log("lj");
   std::vector<md::ThermoSample> samples;
   md::MpiWorld const world;
   md::LjFluidConsumers const consumers{.thermo =

@@ -36,7 +36,7 @@ class StarMeltTest : public BlobRun {
  protected:
   std::vector<BlobFrame> run(md::StarMeltSettings const& settings, bool resume,
                              std::optional<std::int64_t> stop_at = {}) {
-    md::sample_star_melt(world_, settings, resume, recorder<md::StarMeltConsumers>(settings.star, stop_at));
+    md::sample_star_melt(world_, settings, resume, recorder(settings.star, stop_at));
     return stop_at ? safe_ : frames_;
   }
 

@@ -12,8 +12,7 @@ class StarVacuumTest : public BlobRun {
   std::vector<BlobFrame> run(md::StarVacuumSettings settings, bool resume = false,
                              std::optional<std::int64_t> stop_at = {}) {
     settings.directory = folder_.path();
-    md::sample_star_vacuum(world_, settings, resume,
-                           recorder<md::StarVacuumConsumers>(settings.star, stop_at));
+    md::sample_star_vacuum(world_, settings, resume, recorder(settings.star, stop_at));
     return safe_;
   }
 };

@@ -1,8 +1,8 @@
 #include "md/hugoniostat.hpp"
 #include "md/units.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
@@ -13,8 +13,7 @@ TEST(Hugoniostat, ItsStatesSatisfyTheHugoniotEquation) {
   settings.least_atoms = 108;
   settings.equilibration_steps = 3000;
   settings.sampling_steps = 3000;
-  settings.log_file =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-nphug-{}.log", ::getpid());
+  settings.log_file = tests::temporary_log("nphug");
   // A classical crystal at 300 K: e = 3 k_B T/m about the energy at rest; only the difference to it matters
   // here.
   double const e0 = 3 * k_B * 300 / settings.potential.mass;

@@ -1,20 +1,14 @@
 #include "md/lj_fluid.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
 
 LjFluidSettings small_settings() {
-  LjFluidSettings settings;
-  settings.atoms = 108;
-  settings.cutoff = 2.5;
-  settings.sampling_steps = 400;
-  settings.log_file =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-fluid-{}.log", ::getpid());
-  return settings;
+  return {.atoms = 108, .cutoff = 2.5, .sampling_steps = 400, .log_file = tests::temporary_log("fluid")};
 }
 
 class LjFluidTest : public ::testing::Test {

@@ -1,9 +1,9 @@
 #include "md/lj_piston.hpp"
 #include "piston_slices.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
@@ -14,20 +14,13 @@ LjPistonSettings small_settings() {
   settings.cutoff = 2.5;
   settings.equilibration_steps = 600;
   settings.sample_every = 50;
-  settings.log_file =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-piston-{}.log", ::getpid());
+  settings.log_file = tests::temporary_log("piston");
   return settings;
-}
-
-std::vector<PistonSlices> run(LjPistonSettings const& settings, std::int64_t steps) {
-  return slices_of(settings.log_file, [&](PistonConsumers const& consumers) {
-    return sample_lj_piston(MpiWorld(), settings, steps, consumers);
-  });
 }
 
 TEST(LjPiston, PushesAFluidThatIsAtRestFurtherOn) {
   auto const settings = small_settings();
-  auto const all = run(settings, 800);
+  auto const all = slices_of(sample_lj_piston, settings, 800);
   ASSERT_EQ(all.size(), 16u);
   for (auto const& now : all) {
     ASSERT_EQ(now.number.size(), std::size_t(settings.slices()));
@@ -49,7 +42,7 @@ TEST(LjPiston, PushesAFluidThatIsAtRestFurtherOn) {
 TEST(LjPiston, BeginsInTheStateAhead) {
   auto settings = small_settings();
   settings.cutoff = 4, settings.cells_along = 40, settings.sample_every = 10;
-  auto const all = run(settings, 60);
+  auto const all = slices_of(sample_lj_piston, settings, 60);
   double P = 0, T = 0;
   for (auto const& now : all)
     P += mean(now, now.P, 15, 40) / double(all.size()), T += mean(now, now.T, 15, 40) / double(all.size());

@@ -1,8 +1,8 @@
 #include "md/metal_crystal.hpp"
 #include "md/units.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
@@ -15,8 +15,7 @@ class MetalCrystalTest : public ::testing::Test {
   }
 
   MpiWorld world_;
-  std::filesystem::path log_ =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-crystal-{}.log", ::getpid());
+  std::filesystem::path log_ = tests::temporary_log("crystal");
 };
 
 TEST_F(MetalCrystalTest, LatticeConstantAndCohesiveEnergyAreThePublishedOnes) {

@@ -1,16 +1,16 @@
 #include "md/metal_crystal.hpp"
 #include "md/metal_piston.hpp"
 #include "piston_slices.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
 
 std::filesystem::path log_file() {
-  return std::filesystem::temp_directory_path() / fmt::format("mesobridge-metal-piston-{}.log", ::getpid());
+  return tests::temporary_log("metal-piston");
 }
 
 /// Aluminium at 300 K, at about its density of zero pressure.
@@ -22,16 +22,10 @@ MetalPistonSettings small_settings() {
   return settings;
 }
 
-std::vector<PistonSlices> run(MetalPistonSettings const& settings, std::int64_t steps) {
-  return slices_of(settings.log_file, [&](PistonConsumers const& consumers) {
-    return sample_metal_piston(MpiWorld(), settings, steps, consumers);
-  });
-}
-
 /// The jump conditions bind what the slices say: mass and momentum go through the front, at P_0 about 0.
 TEST(MetalPiston, DrivesAShockThatKeepsMassAndMomentum) {
   auto const settings = small_settings();
-  auto const all = run(settings, 600);
+  auto const all = slices_of(sample_metal_piston, settings, 600);
   ASSERT_EQ(all.size(), 30u);
   EXPECT_EQ(settings.atoms(), 4 * 4 * 4 * 30);
   for (auto const& now : all)

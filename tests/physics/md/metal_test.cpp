@@ -1,7 +1,7 @@
 #include "md/metal.hpp"
+#include "temporary_log.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mesobridge::md::test {
 namespace {
@@ -12,8 +12,7 @@ MetalSettings small_settings() {
   settings.equilibration_steps = 300;
   settings.sampling_steps = 1000;
   settings.melt_steps = 500;
-  settings.log_file =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-metal-{}.log", ::getpid());
+  settings.log_file = tests::temporary_log("metal");
   return settings;
 }
 

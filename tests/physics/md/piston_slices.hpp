@@ -5,13 +5,16 @@
 
 namespace mesobridge::md::test {
 
-/// All slices that `sample`, which is given the consumers, tells; its log is removed.
-template <class Sample>
-std::vector<PistonSlices> slices_of(std::filesystem::path const& log_file, Sample const& sample) {
+/// All slices that a run of so many steps tells; its log is removed.
+template <class Settings>
+std::vector<PistonSlices> slices_of(bool (*sample)(MpiWorld const&, Settings const&, std::int64_t,
+                                                   PistonConsumers const&),
+                                    Settings const& settings, std::int64_t steps) {
   std::vector<PistonSlices> all;
-  EXPECT_TRUE(sample(PistonConsumers{
-      .slices = [&](auto const& slices) { return all.push_back(slices), true; }, .steps = {}}));
-  std::filesystem::remove(log_file);
+  PistonConsumers const consumers{.slices = [&](auto const& slices) { return all.push_back(slices), true; },
+                                  .steps = {}};
+  EXPECT_TRUE(sample(MpiWorld(), settings, steps, consumers));
+  std::filesystem::remove(settings.log_file);
   return all;
 }
 

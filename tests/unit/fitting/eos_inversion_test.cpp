@@ -38,6 +38,18 @@ void check_inversions(E const& eos, int states, std::vector<double> const& guess
   EXPECT_LT(worst_guess, 1e-10);
 }
 
+/// Calls f(model) for every built-in material's.
+template <class F>
+void for_each_model(F const& f) {
+  int models = 0;
+  for (auto const& material : materials()) {
+    SCOPED_TRACE(material.name);
+    std::visit(f, material.eos);
+    ++models;
+  }
+  EXPECT_GE(models, 9);
+}
+
 void return_in_every_model(int states, std::vector<double> const& guesses_in_T) {
   int models = 0;
   for (auto const& material : materials()) {
@@ -58,26 +70,18 @@ TEST(Long_EosInversion, ReturnsTheStateInEveryModel) {
 }
 
 TEST(EosInversion, RefusesStatesWithoutATemperature) {
-  int models = 0;
-  for (auto const& material : materials()) {
-    SCOPED_TRACE(material.name);
-    std::visit(
-        [](auto const& eos) {
-          double const rho = std::isfinite(eos.domain().rho_max) ? 0.5 * eos.domain().rho_max : 1000;
-          double const k_m = eos.boltzmann() / eos.molecular_mass();
-          EXPECT_THROW(eos.temperature(nan, rho), PhysicsError);
-          EXPECT_THROW(eos.temperature(-1e6 * k_m * 1000, rho), PhysicsError);
-          EXPECT_THROW(eos.energy_from_entropy(nan, rho), PhysicsError);
-          EXPECT_THROW(eos.energy_from_entropy(1e6 * k_m, rho), PhysicsError);
-          EXPECT_THROW(eos.energy_from_temperature(0, rho), PhysicsError);
-          EXPECT_THROW(eos.energy_from_temperature(nan, rho), PhysicsError);
-          for (double bad : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
-            EXPECT_THROW(eos.isochore(bad), PhysicsError);
-        },
-        material.eos);
-    ++models;
-  }
-  EXPECT_GE(models, 9);
+  for_each_model([](auto const& eos) {
+    double const rho = std::isfinite(eos.domain().rho_max) ? 0.5 * eos.domain().rho_max : 1000;
+    double const k_m = eos.boltzmann() / eos.molecular_mass();
+    EXPECT_THROW(eos.temperature(nan, rho), PhysicsError);
+    EXPECT_THROW(eos.temperature(-1e6 * k_m * 1000, rho), PhysicsError);
+    EXPECT_THROW(eos.energy_from_entropy(nan, rho), PhysicsError);
+    EXPECT_THROW(eos.energy_from_entropy(1e6 * k_m, rho), PhysicsError);
+    EXPECT_THROW(eos.energy_from_temperature(0, rho), PhysicsError);
+    EXPECT_THROW(eos.energy_from_temperature(nan, rho), PhysicsError);
+    for (double bad : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
+      EXPECT_THROW(eos.isochore(bad), PhysicsError);
+  });
 }
 
 /// Whether f throws a PhysicsError that says both words.
@@ -110,13 +114,7 @@ int refused_calls(E const& eos) {
 }
 
 TEST(EosInversion, EveryCallOutsideTheDomainIsRefusedByName) {
-  int models = 0;
-  for (auto const& material : materials()) {
-    SCOPED_TRACE(material.name);
-    EXPECT_EQ(std::visit([](auto const& eos) { return refused_calls(eos); }, material.eos), 14);
-    ++models;
-  }
-  EXPECT_GE(models, 9);
+  for_each_model([](auto const& eos) { EXPECT_EQ(refused_calls(eos), 14); });
 }
 
 TEST(EosInversion, TheRefusalNamesTheState) {
@@ -138,35 +136,26 @@ TEST(EosInversion, TheRefusalNamesTheState) {
 }
 
 TEST(Evaluate, TheThreeWaysToAStateAgree) {
-  int models = 0;
-  for (auto const& material : materials()) {
-    SCOPED_TRACE(material.name);
-    std::visit(
-        [](auto const& eos) {
-          bool const reduced = eos.boltzmann() == 1;
-          double const rho = reduced ? 0.7 : 1150, T = reduced ? 6 : 800;
-          auto const from_T = state_from_temperature(eos, rho, T);
-          auto const from_e = state_from_energy(eos, rho, from_T.e);
-          auto const from_s = state_from_entropy(eos, rho, from_T.s);
-          for (auto const& state : {from_e, from_s}) {
-            EXPECT_NEAR(state.T / T, 1, 1e-12);
-            EXPECT_NEAR(state.P / from_T.P, 1, 1e-12);
-            EXPECT_NEAR(*state.sound_speed / *from_T.sound_speed, 1, 1e-12);
-          }
-          EXPECT_NEAR(*from_T.sound_speed / eos.sound_speed(from_T.e, rho), 1, 1e-12);
-          EXPECT_NEAR(from_T.P / eos.pressure(from_T.e, rho), 1, 1e-12);
-          EXPECT_NEAR(from_T.s / eos.entropy(from_T.e, rho), 1, 1e-12);
-          EXPECT_NEAR(from_T.c_v / eos.heat_capacity(from_T.e, rho), 1, 1e-12);
-          // Grueneisen by a difference of energies at constant density
-          double const de = 1e-5 * from_T.c_v * T;
-          double const slope =
-              (eos.pressure(from_T.e + de, rho) - eos.pressure(from_T.e - de, rho)) / (2 * de);
-          EXPECT_NEAR(from_T.gruneisen / (slope / rho), 1, 1e-8);
-        },
-        material.eos);
-    ++models;
-  }
-  EXPECT_GE(models, 9);
+  for_each_model([](auto const& eos) {
+    bool const reduced = eos.boltzmann() == 1;
+    double const rho = reduced ? 0.7 : 1150, T = reduced ? 6 : 800;
+    auto const from_T = state_from_temperature(eos, rho, T);
+    auto const from_e = state_from_energy(eos, rho, from_T.e);
+    auto const from_s = state_from_entropy(eos, rho, from_T.s);
+    for (auto const& state : {from_e, from_s}) {
+      EXPECT_NEAR(state.T / T, 1, 1e-12);
+      EXPECT_NEAR(state.P / from_T.P, 1, 1e-12);
+      EXPECT_NEAR(*state.sound_speed / *from_T.sound_speed, 1, 1e-12);
+    }
+    EXPECT_NEAR(*from_T.sound_speed / eos.sound_speed(from_T.e, rho), 1, 1e-12);
+    EXPECT_NEAR(from_T.P / eos.pressure(from_T.e, rho), 1, 1e-12);
+    EXPECT_NEAR(from_T.s / eos.entropy(from_T.e, rho), 1, 1e-12);
+    EXPECT_NEAR(from_T.c_v / eos.heat_capacity(from_T.e, rho), 1, 1e-12);
+    // Grueneisen by a difference of energies at constant density
+    double const de = 1e-5 * from_T.c_v * T;
+    double const slope = (eos.pressure(from_T.e + de, rho) - eos.pressure(from_T.e - de, rho)) / (2 * de);
+    EXPECT_NEAR(from_T.gruneisen / (slope / rho), 1, 1e-8);
+  });
 }
 
 } // namespace

@@ -236,6 +236,12 @@ TEST(Mixture, AWarmStartGivesTheSameStateFaster) {
     EXPECT_NEAR(mixture.state(lambda, rho, e, bad).P / mixture.state(lambda, rho, e).P, 1, 1e-11);
 }
 
+TEST(Mixture, NeedsNoModelsOfPacks) {
+  Mixture const mixture(LjKolafaNezbeda(), IdealGas(1, 3, 1), VolumeLaw::additive_volume);
+  for (double const lambda : {0.0, 0.2, 1.0})
+    EXPECT_NEAR(mixture.state(lambda, 0.4, mixture.energy_from_temperature(lambda, 0.4, 2)).T, 2, 1e-9);
+}
+
 TEST(Mixture, RefusesByNameWhatHasNoEquilibrium) {
   auto const mixture = explosive();
   struct Case {
@@ -249,7 +255,8 @@ TEST(Mixture, RefusesByNameWhatHasNoEquilibrium) {
       {{0.5, -1, 3e6}, "density -1 must be > 0"},
       {{0.5, 1400, double(INFINITY)}, "must be > 0"},
       {{0.5, 1400, -5e6}, "coldest"},
-      {{0.99, 743, 3e6}, "balance"}, // hot products of low pressure beside HZ
+      {{0.99, 743, 3e6}, "balance"},       // hot products of low pressure beside HZ
+      {{1 - 0.9e-6, 743, 3e6}, "balance"}, // nor beside a trace of it
       {{0.5, 1e4, 3e6}, "balance"},
   };
   int refused = 0;
@@ -261,7 +268,7 @@ TEST(Mixture, RefusesByNameWhatHasNoEquilibrium) {
       EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
       ++refused;
     }
-  EXPECT_EQ(refused, 8);
+  EXPECT_EQ(refused, 9);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "error_text.hpp"
 #include "md/lj_fluid.hpp"
 #include "md/metal_crystal.hpp"
+#include "temporary_log.hpp"
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -92,8 +93,7 @@ TEST(MetalPotential, RefusesWithTheFileAndTheReason) {
 
 TEST(MetalPotential, CountsTheAtomsBeyondTheTable) {
   MpiWorld const world;
-  auto const log =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-table-{}.log", ::getpid());
+  auto const log = tests::temporary_log("table");
   auto potential = read_metal_potential("Cu_mishin1.eam.alloy", "");
   LammpsSession lammps(world, Ranks::own, log);
   CrystalBlock(Lattice::fcc, 256).create(lammps, potential, stated_density(potential));
@@ -110,8 +110,7 @@ TEST(MetalPotential, CountsTheAtomsBeyondTheTable) {
 
 TEST(CrystalBlock, IsWhatLammpsBuilds) {
   MpiWorld const world;
-  auto const log =
-      std::filesystem::temp_directory_path() / fmt::format("mesobridge-block-{}.log", ::getpid());
+  auto const log = tests::temporary_log("block");
   int cases = 0;
   for (auto const& [file, lattice] : {std::pair{"Cu_mishin1.eam.alloy", Lattice::fcc},
                                       {"Fe_mm.eam.fs", Lattice::bcc},

@@ -65,11 +65,7 @@ TEST_P(EveryAdiabaticWall, GivesWorkAloneToRoundOff) {
 }
 
 TEST_P(EveryAdiabaticWall, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
-  expect_same_bits(GetParam().settings, 30, 20, [](Simulation const& at) {
-    auto values = flat(at.snapshot().p, at.snapshot().eps);
-    values.push_back(at.observe().given);
-    return values;
-  });
+  expect_same_bits_and_gains(GetParam().settings);
 }
 
 // A particle that stays in place shares its energy E in the wall's frame between its motion and its heat by

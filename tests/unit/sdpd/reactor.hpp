@@ -5,9 +5,9 @@
 
 namespace mesobridge::sdpd {
 
-/// Nitromethane on a regular lattice, without noise and motion: every particle is a reactor of constant volume,
-/// and all are alike. With a rate that no temperature changes, K = 1 in reduced units, unless `kinetics` says
-/// otherwise, and without heat.
+/// Nitromethane on a regular lattice, without noise and motion: every particle is a reactor of constant
+/// volume, and all are alike. With a rate that no temperature changes, K = 1 in reduced units, unless
+/// `kinetics` says otherwise, and without heat.
 inline SimulationSettings uniform_reactor(double dt, double progress) {
   auto settings = burning_nitromethane(100, dt, progress);
   settings.lattice = {6, 6, 6};

@@ -35,4 +35,13 @@ inline void expect_same_bits(SimulationSettings settings, std::uint64_t before, 
   }
 }
 
+/// The same of momenta, internal energies and what came from outside, in 50 steps.
+inline void expect_same_bits_and_gains(SimulationSettings const& settings) {
+  expect_same_bits(settings, 30, 20, [](Simulation const& at) {
+    auto values = flat(at.snapshot().p, at.snapshot().eps);
+    values.push_back(at.observe().given);
+    return values;
+  });
+}
+
 } // namespace mesobridge::sdpd

@@ -1,10 +1,8 @@
-#include "moved_energy.hpp"
 #include "pair_fluid_fixtures.hpp"
 #include "same_bits.hpp"
-#include "sdpd/make_system.hpp"
 #include "sdpd/observe/list.hpp"
-#include "sdpd/simulation.hpp"
 #include "sdpd_fixtures.hpp"
+#include "walled.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {
@@ -61,17 +59,11 @@ TEST_P(EveryEnclosedFluid, HasForcesInItsCornersThatAreTheSlopeOfItsEnergy) {
   auto const f = system->particles.f;
   auto const walls = static_cast<int>(GetParam().axes.size());
   int corners = 0;
-  double const step = 1e-5;
   for (std::size_t i = 0; i < system->size() && corners < 6; ++i) {
     if (walls_near(*system, system->particles.q[i], 0.6) < walls)
       continue;
     ++corners;
-    for (int const axis : {0, 1, 2}) {
-      Vec3 by;
-      component(by, axis) = step;
-      double const slope = (energy_with(*system, i, by) - energy_with(*system, i, -1.0 * by)) / (2 * step);
-      EXPECT_NEAR(component(f[i], axis), -slope, 2e-5 * (norm(f[i]) + 1)) << i << " " << axis;
-    }
+    expect_slope_of_energy(*system, i, f[i]);
   }
   EXPECT_EQ(corners, 6);
 }
@@ -80,46 +72,14 @@ TEST_P(EveryEnclosedFluid, HasForcesInItsCornersThatAreTheSlopeOfItsEnergy) {
 // quarter or the eighth of a periodic one.
 TEST_P(EveryEnclosedFluid, IsAPartOfASymmetricPeriodicOne) {
   auto const& [name, axes, settings] = GetParam();
-  auto const part = make_system(settings);
-  auto whole_settings = settings;
-  whole_settings.faces = {};
-  for (int const axis : axes)
-    whole_settings.lattice[static_cast<std::size_t>(axis)] *= 2;
-  auto const whole = make_system(whole_settings);
-  std::size_t const copies = std::size_t{1} << axes.size();
-  ASSERT_EQ(whole->size(), copies * part->size());
-  std::vector<std::size_t> place(whole->size()); // of an id
-  for (std::size_t k = 0; k < whole->size(); ++k)
-    place[whole->particles.id[k]] = k;
-  for (std::size_t i = 0; i < part->size(); ++i)
-    for (std::size_t copy = 0; copy < copies; ++copy) {
-      auto q = part->particles.q[i];
-      for (std::size_t a = 0; a < axes.size(); ++a)
-        if (copy >> a & 1)
-          component(q, axes[a]) = 2 * component(part->box.edge, axes[a]) - component(q, axes[a]);
-      auto const k = place[copies * part->particles.id[i] + copy];
-      whole->particles.q[k] = q;
-      if (part->has_energies())
-        whole->particles.eps[k] = part->particles.eps[i];
-    }
-  refresh(*whole), refresh(*part);
-  for (std::size_t k = 0; k < whole->size(); ++k)
-    place[whole->particles.id[k]] = k; // the lists have sorted them anew
+  MirroredFluid const fluid(settings, axes);
+  fluid.expect_same(1e-7);
+  auto const& part = *fluid.part;
   int in_corners = 0;
-  for (std::size_t i = 0; i < part->size(); ++i) {
-    auto const k = place[copies * part->particles.id[i]];
-    in_corners += walls_near(*part, part->particles.q[i], 0.7) == static_cast<int>(axes.size());
-    EXPECT_LT(norm(whole->particles.f[k] - part->particles.f[i]), 1e-7 * (1 + norm(part->particles.f[i])));
-    if (part->has_densities()) {
-      EXPECT_NEAR(whole->particles.rho[k], part->particles.rho[i], 1e-7);
-      EXPECT_NEAR(whole->particles.P[k] / part->particles.P[i], 1, 1e-7);
-    }
-  }
+  for (auto const& q : part.particles.q)
+    in_corners += walls_near(part, q, 0.7) == static_cast<int>(axes.size());
   EXPECT_GT(in_corners, 6);
-  double const times = static_cast<double>(copies);
-  EXPECT_NEAR(whole->potential_energy, times * part->potential_energy,
-              1e-9 * std::abs(whole->potential_energy));
-  EXPECT_NEAR(whole->virial / (times * part->virial), 1, 1e-7);
+  EXPECT_NEAR(fluid.whole->virial / (static_cast<double>(fluid.copies) * part.virial), 1, 1e-7);
 }
 
 // On a lattice at rest the images go on with it, into the corners.
@@ -142,21 +102,7 @@ TEST_P(EveryEnclosedFluid, BalancesMomentumToRoundOffAndEnergyByTheWorkOfAPiston
   auto settings = GetParam().settings;
   auto const& units = settings.units();
   settings.faces[2][0].motion = {0.3 * units.velocity(), 2 * units.time(), {}};
-  Simulation simulation(settings);
-  auto const before = simulation.observe();
-  double const scale = std::sqrt(2 * before.kinetic * static_cast<double>(simulation.size()));
-  simulation.advance(200);
-  auto const after = simulation.observe();
-  Vec3 impulse;
-  double work = 0;
-  for (auto const& wall : simulation.walls())
-    component(impulse, wall.axis) += wall.impulse, work += wall.work;
-  EXPECT_GT(norm(impulse) / scale, 1e-2);
-  EXPECT_LT(norm(after.momentum - before.momentum - impulse) / scale, 1e-12);
-  if (!settings.features().energies)
-    return;
-  EXPECT_GT(work / before.kinetic, 0.05);
-  EXPECT_LT(std::abs(after.energy() - before.energy()), 6e-3 * work); // Verlet's error
+  expect_balance_with_walls(settings, 6e-3); // Verlet's error
 }
 
 TEST_P(EveryEnclosedFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {

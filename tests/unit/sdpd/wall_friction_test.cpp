@@ -123,11 +123,7 @@ TEST_P(EveryRoughlyWalledFluid, GainsTheWorkAndHeatOfItsWallsAndOfTheBodyForce) 
 }
 
 TEST_P(EveryRoughlyWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
-  expect_same_bits(GetParam().settings, 30, 20, [](Simulation const& at) {
-    auto values = flat(at.snapshot().p, at.snapshot().eps);
-    values.push_back(at.observe().given);
-    return values;
-  });
+  expect_same_bits_and_gains(GetParam().settings);
 }
 
 // Particles at rest in place: the velocities of each must take Maxwell's law about the wall's, exactly, at

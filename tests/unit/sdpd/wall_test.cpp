@@ -1,12 +1,10 @@
 #include "cg/estimate.hpp"
-#include "moved_energy.hpp"
 #include "pair_fluid_fixtures.hpp"
 #include "same_bits.hpp"
-#include "sdpd/make_system.hpp"
 #include "sdpd/observe/virials.hpp"
 #include "sdpd/scheme/list.hpp"
-#include "sdpd/simulation.hpp"
 #include "sdpd_fixtures.hpp"
+#include "walled.hpp"
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -46,40 +44,18 @@ TEST_P(EveryWalledFluid, HasForcesThatAreTheSlopeOfItsEnergy) {
   auto const system = make_system(settings);
   auto const f = system->particles.f;
   int near = 0;
-  double const step = 1e-5;
   for (std::size_t i = 0; i < system->size() && near < 12; ++i) {
     auto const& wall = system->walls[i % 2];
     if (wall.distance(system->particles.q[i], 0) > 0.5 * system->neighbours.range())
       continue;
     ++near;
-    for (int const axis : {0, 1, 2}) {
-      Vec3 by;
-      component(by, axis) = step;
-      double const slope = (energy_with(*system, i, by) - energy_with(*system, i, -1.0 * by)) / (2 * step);
-      EXPECT_NEAR(component(f[i], axis), -slope, 2e-5 * (norm(f[i]) + 1)) << i << " " << axis;
-    }
+    expect_slope_of_energy(*system, i, f[i]);
   }
   EXPECT_EQ(near, 12);
 }
 
 TEST_P(EveryWalledFluid, BalancesMomentumToRoundOffAndEnergyByTheWork) {
-  auto settings = GetParam().settings;
-  Simulation simulation(settings);
-  auto const before = simulation.observe();
-  double const scale = std::sqrt(2 * before.kinetic * static_cast<double>(simulation.size()));
-  simulation.advance(200);
-  auto const after = simulation.observe();
-  Vec3 impulse;
-  double work = 0;
-  for (auto const& wall : simulation.walls())
-    component(impulse, wall.axis) += wall.impulse, work += wall.work;
-  EXPECT_GT(norm(impulse) / scale, 1e-2);
-  EXPECT_LT(norm(after.momentum - before.momentum - impulse) / scale, 1e-12);
-  if (!settings.features().energies)
-    return;
-  EXPECT_GT(work / before.kinetic, 0.05);
-  EXPECT_EQ(after.wall_work, work);
-  EXPECT_LT(std::abs(after.energy() - before.energy()), 4e-3 * work); // Verlet's error
+  expect_balance_with_walls(GetParam().settings, 4e-3); // Verlet's error
 }
 
 TEST_P(EveryWalledFluid, HasTheSameBitsOnAnyNumberOfThreadsAndAfterARestart) {
@@ -121,39 +97,9 @@ TEST_P(EveryWalledFluid, HasThePressureThatItsWallsFeel) {
 TEST_P(EveryWalledFluid, IsHalfOfASymmetricOne) {
   auto settings = GetParam().settings;
   settings.scheme.pairs = "ssa";
-  auto const half = make_system(settings);
-  int const axis = half->walls[0].axis;
-  auto doubled = settings;
-  doubled.faces = {}, doubled.lattice[static_cast<std::size_t>(axis)] *= 2;
-  auto const whole = make_system(doubled);
-  double const edge = component(half->box.edge, axis);
-  for (std::size_t i = 0; i < half->size(); ++i)
-    for (bool const image : {false, true}) {
-      auto q = half->particles.q[i];
-      if (image)
-        component(q, axis) = 2 * edge - component(q, axis);
-      auto const id = 2 * half->particles.id[i] + image;
-      for (std::size_t k = 0; k < whole->size(); ++k)
-        if (whole->particles.id[k] == id) {
-          whole->particles.q[k] = q;
-          if (half->has_energies())
-            whole->particles.eps[k] = half->particles.eps[i];
-        }
-    }
-  refresh(*whole), refresh(*half);
-  int compared = 0;
-  for (std::size_t i = 0; i < half->size(); ++i)
-    for (std::size_t k = 0; k < whole->size(); ++k)
-      if (whole->particles.id[k] == 2 * half->particles.id[i]) {
-        ++compared;
-        EXPECT_LT(norm(whole->particles.f[k] - half->particles.f[i]),
-                  1e-7 * (1 + norm(half->particles.f[i])));
-        if (half->has_densities()) {
-          EXPECT_NEAR(whole->particles.rho[k], half->particles.rho[i], 1e-10);
-        }
-      }
-  EXPECT_EQ(compared, 512);
-  EXPECT_NEAR(whole->potential_energy, 2 * half->potential_energy, 1e-9 * std::abs(whole->potential_energy));
+  MirroredFluid const fluid(settings, {make_system(settings)->walls[0].axis});
+  fluid.expect_same(1e-10);
+  EXPECT_EQ(fluid.part->size(), 512U);
 }
 
 TEST_P(EveryWalledFluid, HasVirialsOfItsParticlesThatMakeThatOfTheWhole) {

@@ -34,8 +34,8 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
 
 /// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
 std::vector<std::string> const rooms{
-    "simd",        "threads",        "state",      "start",  "kernel",  "potential", "friction",
-    "conduction",  "kinetics",       "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
+    "simd",        "threads",  "state",          "start",      "kernel",  "potential", "friction",
+    "conduction",  "kinetics", "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
     "fluctuation", "reaction", "scheme",         "method",     "observe", "",          "setup"};
 
 std::string room_of(std::filesystem::path const& file) {

@@ -1,4 +1,5 @@
 #include "scene_error.hpp"
+#include "sdpd_scene.hpp"
 #include "soft_scene.hpp"
 #include "workflows/scene/scene.hpp"
 #include <gtest/gtest.h>
@@ -8,20 +9,7 @@ namespace {
 
 using tests::error_of, tests::replaced;
 
-std::string const sdpd = R"(title = "t"
-[fluid]
-eos = "argon"
-rho = "1150 kg/m^3"
-T = "1000 K"
-[particles]
-N = 1000
-K = 50
-[transport]
-eta = "2e-3 Pa*s"
-[scheme]
-dt = 0.05
-[run]
-steps = 1000
+std::string const sdpd = tests::SdpdScene{.run = R"(steps = 1000
 [profile]
 axis = "z"
 bins = 24
@@ -29,7 +17,8 @@ every = 50
 quantities = ["velocity", "P"]
 [histogram]
 every = 100
-)";
+)"}
+                             .text();
 
 std::string const dpd =
     tests::SoftScene{
@@ -62,8 +51,7 @@ TEST(ObserveScene, RefusesWhatCannotBeObserved) {
       {replaced(sdpd, "[\"velocity\", \"P\"]", "[1]"), {"profile.quantities", "a list of some of"}},
       {replaced(sdpd, "every = 50", "every = 2000"), {"profile.every", "run.steps = 1000"}},
       {replaced(sdpd, "every = 50", "evry = 50"), {"evry", "every"}},
-      {replaced(dpd, "every = 10", "quantities = [\"T_int\"]"),
-       {"T_int", "there are: rho, velocity, T_kin"}},
+      {replaced(dpd, "every = 10", "quantities = [\"T_int\"]"), {"T_int", "there are: rho, velocity, T_kin"}},
       {dpd + "[histogram]\nevery = 10\n", {"histogram.every", "none of the quantities"}},
   };
   int ran = 0;

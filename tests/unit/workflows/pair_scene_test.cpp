@@ -1,5 +1,5 @@
+#include "law_keys.hpp"
 #include "md/error.hpp"
-#include "scene_error.hpp"
 #include "scratch_directory.hpp"
 #include "sdpd/potential/list.hpp"
 #include "soft_scene.hpp"
@@ -36,36 +36,20 @@ TEST(PairScene, ReadsItsKeysAndReadsBackAsTheSame) {
 
 // Whatever potential is in the list, a scene can name it, and every key that it needs, and no other.
 TEST(PairScene, TakesEveryPotentialByItsOwnKeys) {
+  std::string const usual = "name = \"soft\"\na = 25\ncutoff = 1\n";
   int missing = 0, foreign = 0;
   for (auto const& kind : sdpd::potentials()) {
-    std::vector<std::string> lines;
-    for (auto const& parameter : kind.parameters)
-      lines.push_back(
-          fmt::format("{} = {}\n", parameter.name, parameter.range.min > 0 ? 2 * parameter.range.min : 1));
-    auto const with = [&](std::vector<std::string> const& given) {
-      return replaced(dpde, "name = \"soft\"\na = 25\ncutoff = 1\n",
-                      fmt::format("name = \"{}\"\n{}", kind.name, fmt::join(given, "")));
-    };
-    auto const scene = parse_scene(with(lines), "scene.toml");
-    EXPECT_TRUE(parse_scene(resolved_toml(scene), "resolved.toml") == scene) << kind.name;
-    EXPECT_NO_THROW(sdpd::check(settings_of(scene, 1))) << kind.name;
-    for (std::size_t k = 0; k < lines.size(); ++k, ++missing) {
-      auto some = lines;
-      some.erase(some.begin() + static_cast<std::ptrdiff_t>(k));
-      EXPECT_NE(error_of(with(some)).find(fmt::format("potential.{}' is missing", kind.parameters[k].name)),
-                std::string::npos)
-          << error_of(with(some));
-    }
+    tests::LawKeys const keys("potential.name", kind, [](sdpd::Parameter const& of) {
+      return fmt::format("{} = {}\n", of.name, of.range.min > 0 ? 2 * of.range.min : 1);
+    });
+    missing += expect_all_keys_needed(dpde, usual, keys);
     auto const knows = [&](auto const& name) {
       return std::ranges::find(kind.parameters, name, &sdpd::Parameter::name) != kind.parameters.end();
     };
     for (auto const& other : sdpd::potentials())
       for (auto const& parameter : other.parameters)
         if (!knows(parameter.name)) {
-          auto more = lines;
-          more.push_back(fmt::format("{} = 9\n", parameter.name));
-          EXPECT_NE(error_of(with(more)).find("belongs to potential.name"), std::string::npos)
-              << error_of(with(more));
+          expect_foreign_key(dpde, usual, keys, fmt::format("{} = 9\n", parameter.name));
           ++foreign;
         }
   }

@@ -1,12 +1,11 @@
+#include "law_keys.hpp"
 #include "md/error.hpp"
-#include "scene_error.hpp"
 #include "sdpd/kinetics/list.hpp"
 #include "sdpd/simulation.hpp"
+#include "sdpd_scene.hpp"
 #include "workflows/quantity.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/settings.hpp"
-#include <algorithm>
-#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
@@ -14,29 +13,7 @@ namespace {
 
 using tests::error_of, tests::replaced;
 
-std::string const burning = R"(title = "burning"
-[fluid]
-eos = "nitromethane"
-rho = "1700 kg/m^3"
-T = "2500 K"
-[particles]
-N = 512
-K = 100
-density = "plain"
-[reaction]
-product = "nitromethane-products"
-heat_per_molecule = "4.78e-19 J"
-kinetics = "second-order"
-Z = "1e15 1/s"
-E_a = "3e-19 J"
-progress = 0.3
-[transport]
-eta = "1e-2 Pa*s"
-[scheme]
-dt = 0.01
-[run]
-steps = 100
-)";
+std::string const burning = tests::burning_scene("steps = 100\n").text();
 
 TEST(ReactionScene, ReadsItsKeysAndReadsBackAsTheSame) {
   auto const scene = parse_scene(burning, "burning.toml");
@@ -64,32 +41,16 @@ TEST(ReactionScene, ReadsItsKeysAndReadsBackAsTheSame) {
 
 // Whatever law is in the list, a scene can name it, and every key that it needs, and no other.
 TEST(ReactionScene, TakesEveryLawByItsOwnKeys) {
+  std::string const usual = "kinetics = \"second-order\"\nZ = \"1e15 1/s\"\nE_a = \"3e-19 J\"\n";
   int missing = 0, foreign = 0;
   for (auto const& law : sdpd::kinetics()) {
-    std::vector<std::string> lines;
-    for (auto const& parameter : law.parameters)
-      lines.push_back(parameter.dimension
-                          ? fmt::format("{} = \"2 {}\"\n", parameter.name, si_unit(*parameter.dimension))
-                          : fmt::format("{} = 2\n", parameter.name));
-    auto const with = [&](std::vector<std::string> const& given) {
-      return replaced(burning, "kinetics = \"second-order\"\nZ = \"1e15 1/s\"\nE_a = \"3e-19 J\"\n",
-                      fmt::format("kinetics = \"{}\"\n{}", law.name, fmt::join(given, "")));
-    };
-    auto const scene = parse_scene(with(lines), "scene.toml");
-    EXPECT_TRUE(parse_scene(resolved_toml(scene), "resolved.toml") == scene) << law.name;
-    EXPECT_NO_THROW(sdpd::check(settings_of(scene, 1))) << law.name;
-    for (std::size_t k = 0; k < lines.size(); ++k, ++missing) {
-      auto some = lines;
-      some.erase(some.begin() + static_cast<std::ptrdiff_t>(k));
-      EXPECT_NE(error_of(with(some)).find(fmt::format("reaction.{}' is missing", law.parameters[k].name)),
-                std::string::npos)
-          << error_of(with(some));
-    }
-    auto more = lines;
-    bool const pressure = law.name == "pressure";
-    more.push_back(pressure ? "E_a = \"1e-19 J\"\n" : "growth_power = 2\n");
-    EXPECT_NE(error_of(with(more)).find("belongs to reaction.kinetics"), std::string::npos)
-        << error_of(with(more));
+    tests::LawKeys const keys("reaction.kinetics", law, [](sdpd::Parameter const& of) {
+      return of.dimension ? fmt::format("{} = \"2 {}\"\n", of.name, si_unit(*of.dimension))
+                          : fmt::format("{} = 2\n", of.name);
+    });
+    missing += expect_all_keys_needed(burning, usual, keys);
+    expect_foreign_key(burning, usual, keys,
+                       law.name == "pressure" ? "E_a = \"1e-19 J\"\n" : "growth_power = 2\n");
     ++foreign;
   }
   EXPECT_EQ(foreign, 6);

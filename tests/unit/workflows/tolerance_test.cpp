@@ -1,4 +1,5 @@
 #include "md/error.hpp"
+#include "sdpd_scene.hpp"
 #include "workflows/scene/tolerance.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include <gtest/gtest.h>
@@ -27,10 +28,7 @@ TEST(Tolerance, ReadsRatesAndShares) {
 }
 
 std::string scene_text(std::string const& scheme) {
-  return "title = \"t\"\n[fluid]\neos = \"argon\"\nrho = \"1150 kg/m^3\"\nT = \"1000 K\"\n[particles]\nN = "
-         "1000\nK = 50\n"
-         "[transport]\neta = \"2e-3 Pa*s\"\n[run]\nsteps = 1000\n[scheme]\n" +
-         scheme;
+  return tests::SdpdScene{.scheme = scheme}.text();
 }
 
 TEST(Tolerance, BelongsToAnAutomaticTimeStep) {

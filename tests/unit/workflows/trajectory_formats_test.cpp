@@ -153,7 +153,7 @@ TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {
   auto const text = read_text_file(scratch / "whole.xyz");
   std::size_t cuts = 0;
   for (std::size_t const lost : {1u, 2u, 40u, 200u, 400u}) { // within the last frame, and in the one before
-    auto const file = scratch / "broken.xyz"; // of a version that did not seal it
+    auto const file = scratch / "broken.xyz";                // of a version that did not seal it
     remove_seal_beside(file);
     write_text_file(file, text.substr(0, text.size() - lost));
     auto writer = ExtendedXyzWriter::continue_file(file);

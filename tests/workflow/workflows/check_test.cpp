@@ -1,4 +1,5 @@
 #include "scratch_directory.hpp"
+#include "sdpd_scene.hpp"
 #include "soft_scene.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/command_line.hpp"
@@ -14,25 +15,7 @@ namespace {
 
 using tests::ScratchDirectory;
 
-constexpr char const* sdpd = R"(title = "small"
-units = "SI"
-[fluid]
-eos = "ideal-gas"
-rho = "1150 kg/m^3"
-T = "1000 K"
-m0 = "1e-25 kg"
-[particles]
-N = 343
-K = 100
-[transport]
-eta = "2e-3 Pa*s"
-[scheme]
-dt = 0.05
-[run]
-equilibrate = 16
-steps = 320
-)";
-
+std::string const sdpd = tests::ideal_gas_scene("equilibrate = 16\nsteps = 320\n").text();
 tests::SoftScene const dpde{.run = "sample_every = 2\nequilibrate = 8\nsteps = 64\n"};
 
 struct Outcome {

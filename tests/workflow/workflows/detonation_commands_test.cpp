@@ -9,10 +9,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-using tests::eos;
-using tests::expect_near;
-using tests::json_of;
-using tests::ScratchDirectory;
+using tests::eos, tests::expect_near, tests::json_of, tests::ScratchDirectory;
 
 std::string const nitromethane =
     " --reactant nitromethane --product nitromethane-products --rho0 1104 --T0 300 --q 4.7159e6";

@@ -11,10 +11,7 @@
 namespace mesobridge::workflows {
 namespace {
 
-using tests::eos;
-using tests::expect_near;
-using tests::json_of;
-using tests::ScratchDirectory;
+using tests::eos, tests::expect_near, tests::json_of, tests::ScratchDirectory;
 
 struct ExpectedJump {
   std::string line;

@@ -1,4 +1,5 @@
-#include "program.hpp"
+#include "interrupted_run.hpp"
+#include "refusals.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
@@ -39,14 +40,9 @@ Words small(std::string const& command, std::string const& directory, Words cons
 
 TEST(MetalProgram, BadInputHasACodeAndOneClearMessage) {
   ScratchDirectory const scratch;
-  struct Case {
-    Words words;
-    int code;
-    std::string message;
-  };
   auto const grid = [&](Words const& more) { return small("metal-grid", scratch / "x", more); };
   auto const hugoniot = [&](Words const& more) { return small("hugoniot", scratch / "x", more); };
-  std::vector<Case> const cases{
+  std::vector<tests::Refusal> const cases{
       {{"md", "metal-grid"}, 2, "--potential is required"},
       {{"md", "metal-grid", "--potential", "Xy.eam.alloy"}, 2, "/usr/share/lammps/potentials/Xy.eam.alloy"},
       {{"md", "metal-grid", "--potential", "Cu_u3.eam", "--element", "Sn"},
@@ -63,12 +59,7 @@ TEST(MetalProgram, BadInputHasACodeAndOneClearMessage) {
       {hugoniot({"--compression", "1.95"}), 3, "no shocked state is to be expected"},
       {small("metal-grid", "/dev/null/x", {}), 4, "/dev/null/x"},
   };
-  int ran = 0;
-  for (auto const& [words, code, message] : cases) {
-    tests::expect_refusal(program(words), code, message);
-    ++ran;
-  }
-  EXPECT_EQ(ran, 13);
+  EXPECT_EQ(tests::expect_refusals(cases), 13);
 }
 
 TEST(MetalProgram, AGridIsTheSameOnOneAndTwoRanksAndAfterAResume) {
@@ -122,17 +113,7 @@ TEST(MetalProgram, AnInterruptedRunSaysSoAndKeepsItsStates) {
                        {"--rho", "8900", "--T", "300,600,900", "--ranks", ranks, "--sampling-steps=1000000"});
     std::erase(words, "--sampling-steps");
     std::erase(words, "2400");
-    words.insert(words.begin(),
-                 {"timeout", "--preserve-status", "-s", "INT", "-k", "30", "3", MESOBRIDGE_PROGRAM});
-    auto const result = run_process(words);
-    EXPECT_EQ(result.status, 130) << result.errors;
-    EXPECT_NE(result.errors.find("go on with --resume"), std::string::npos) << result.errors;
-    Store const store(scratch / (ranks + "/metal-runs.h5"), Store::Mode::read);
-    std::size_t samples = 0;
-    for (auto const& state : store.list("states"))
-      if (store.contains("states/" + state + "/P_Pa"))
-        samples += store.read_doubles("states/" + state + "/P_Pa").size();
-    EXPECT_GT(samples, 10u);
+    tests::expect_interrupted(words, "go on with --resume", scratch / (ranks + "/metal-runs.h5"), "P_Pa");
     ++ran;
   }
   EXPECT_EQ(ran, 2);

@@ -1,5 +1,6 @@
 #include "fitting/eos/list.hpp"
-#include "program.hpp"
+#include "interrupted_run.hpp"
+#include "refusals.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/store/store.hpp"
@@ -66,13 +67,8 @@ TEST(Program, TimesTheEquationsOfState) {
 TEST(Program, BadInputHasACodeAndOneClearMessage) {
   ScratchDirectory const scratch;
   write_text_file(scratch / "bad.toml", "title = \"x\"\n[fluid]\nrhp = 1\n");
-  struct Case {
-    std::vector<std::string> words;
-    int code;
-    std::string message;
-  };
   auto const argon = scenes + "argon-1000K.toml";
-  std::vector<Case> const cases{
+  std::vector<tests::Refusal> const cases{
       {{"chekc"}, 2, "did you mean 'check'?"},
       {{"eos", "evla"}, 2, "did you mean 'eos eval'?"},
       {{"check", "/no/such/scene.toml"}, 2, "cannot read '/no/such/scene.toml': No such file or directory"},
@@ -97,12 +93,7 @@ TEST(Program, BadInputHasACodeAndOneClearMessage) {
       {{"md", "lj-grid", "--T-min", "5", "--T-max", "4", "-o", scratch / "x"}, 2, "temperature"},
       {{"md", "lj-grid", "-o", "/dev/null/x"}, 4, "/dev/null/x"},
   };
-  int ran = 0;
-  for (auto const& [words, code, message] : cases) {
-    tests::expect_refusal(program(words), code, message);
-    ++ran;
-  }
-  EXPECT_EQ(ran, 23);
+  EXPECT_EQ(tests::expect_refusals(cases), 23);
 }
 
 TEST(Program, JsonIsOneObjectOnStdout) {
@@ -223,19 +214,10 @@ TEST(Program, AnInterruptedRunSaysSoAndKeepsItsSamples) {
   ScratchDirectory const scratch;
   int ran = 0;
   for (std::string const ranks : {"1", "2"}) {
-    auto words = small_grid(scratch / ranks, ranks, "2000000");
-    words.insert(words.begin(),
-                 {"timeout", "--preserve-status", "-s", "INT", "-k", "30", "3", MESOBRIDGE_PROGRAM});
-    auto const result = run_process(words);
-    EXPECT_EQ(result.status, 130) << result.errors;
-    EXPECT_NE(result.errors.find("interrupted; what was sampled is in"), std::string::npos) << result.errors;
-    Store const store(scratch / (ranks + "/lj-grid.h5"), Store::Mode::read);
-    EXPECT_EQ(store.read_integer_attribute("settings", "complete"), 0);
-    std::size_t samples = 0;
-    for (auto const& state : store.list("states"))
-      if (store.contains("states/" + state + "/P"))
-        samples += store.read_doubles("states/" + state + "/P").size();
-    EXPECT_GT(samples, 10u);
+    auto const file = scratch / (ranks + "/lj-grid.h5");
+    tests::expect_interrupted(small_grid(scratch / ranks, ranks, "2000000"),
+                              "interrupted; what was sampled is in", file, "P");
+    EXPECT_EQ(Store(file, Store::Mode::read).read_integer_attribute("settings", "complete"), 0);
     ++ran;
   }
   EXPECT_EQ(ran, 2);

@@ -1,4 +1,5 @@
 #include "scratch_directory.hpp"
+#include "sdpd_scene.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
@@ -15,27 +16,7 @@ namespace {
 
 using tests::ScratchDirectory;
 
-constexpr char const* burning = R"(title = "burning"
-[fluid]
-eos = "nitromethane"
-rho = "1700 kg/m^3"
-T = "2500 K"
-[particles]
-N = 512
-K = 100
-density = "plain"
-[reaction]
-product = "nitromethane-products"
-heat_per_molecule = "4.78e-19 J"
-Z = "1e15 1/s"
-E_a = "3e-19 J"
-progress = 0.3
-[transport]
-eta = "1e-2 Pa*s"
-[scheme]
-dt = 0.01
-[run]
-steps = 64
+std::string const burning = tests::burning_scene(R"(steps = 64
 sample_every = 2
 trajectory_every = 30
 checkpoint_every = 30
@@ -45,7 +26,8 @@ bins = 4
 every = 20
 [histogram]
 every = 20
-)";
+)")
+                                .text();
 
 ProcessResult ran(std::filesystem::path const& folder, std::string const& name,
                   std::vector<std::string> const& settings = {}) {

@@ -1,6 +1,7 @@
 #include "scratch_directory.hpp"
 #include "sdpd/method/list.hpp"
 #include "sdpd/observe/list.hpp"
+#include "sdpd_scene.hpp"
 #include "soft_scene.hpp"
 #include "workflows/command.hpp"
 #include "workflows/process.hpp"
@@ -25,24 +26,14 @@ struct Method {
   sdpd::Features features;
 };
 
+tests::SdpdScene plain_gas() {
+  auto scene = tests::ideal_gas_scene(run_keys);
+  scene.particles = "density = \"plain\"\n";
+  return scene;
+}
+
 std::vector<Method> const methods{
-    {"sdpd", R"(title = "small"
-[fluid]
-eos = "ideal-gas"
-rho = "1150 kg/m^3"
-T = "1000 K"
-m0 = "1e-25 kg"
-[particles]
-N = 343
-K = 100
-density = "plain"
-[transport]
-eta = "2e-3 Pa*s"
-[scheme]
-dt = 0.05
-[run]
-)" + std::string(run_keys),
-     sdpd::Sdpd::features},
+    {"sdpd", plain_gas().text(), sdpd::Sdpd::features},
     {"dpde", tests::SoftScene{.method = "dpde", .run = run_keys}.text(), sdpd::Dpde::features},
     {"dpd", tests::SoftScene{.method = "dpd", .run = run_keys}.text(), sdpd::Dpd::features}};
 

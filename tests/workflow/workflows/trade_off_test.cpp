@@ -1,5 +1,6 @@
 #include "program.hpp"
 #include "scratch_directory.hpp"
+#include "sdpd_scene.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -164,10 +165,9 @@ TEST(TradeOffCommand, RefusesWhatItCannotStudy) {
 }
 
 std::string auto_scene() {
-  return "title = \"auto\"\n[fluid]\neos = \"ideal-gas\"\nrho = \"1150 kg/m^3\"\nT = \"1000 K\"\nm0 = "
-         "\"1e-25 kg\"\n"
-         "[particles]\nN = 343\nK = 10\n[transport]\neta = \"2e-3 Pa*s\"\n"
-         "[run]\nequilibrate = 64\nsteps = 640\n[scheme]\ndt = \"auto\"\ndrift = \"1e-4/ps\"\n";
+  auto scene = tests::ideal_gas_scene("equilibrate = 64\nsteps = 640\n");
+  scene.K = 10, scene.scheme = "dt = \"auto\"\ndrift = \"1e-4/ps\"\n";
+  return scene.text();
 }
 
 TEST(AutomaticTimeStep, MeetsATolerableBiasOfDpd) {

@@ -1,5 +1,6 @@
 #include "program.hpp"
 #include "scratch_directory.hpp"
+#include "sdpd_scene.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/text_file.hpp"
 #include <gtest/gtest.h>
@@ -15,21 +16,13 @@ namespace {
 using tests::program;
 using Words = std::vector<std::string>;
 
-constexpr char const* scene = R"(title = "water"
-[fluid]
-eos = "water"
-rho = "997 kg/m^3"
-T = "300 K"
-[particles]
-N = 512
-K = 1000
-[transport]
-eta = "1e-3 Pa*s"
-[scheme]
-dt = 0.01
-[run]
-steps = 3200
-)";
+std::string const scene = tests::SdpdScene{.fluid = "eos = \"water\"\nrho = \"997 kg/m^3\"\nT = \"300 K\"\n",
+                                           .N = 512,
+                                           .K = 1000,
+                                           .eta = "1e-3 Pa*s",
+                                           .scheme = "dt = 0.01\n",
+                                           .run = "steps = 3200\n"}
+                              .text();
 
 TEST(UsableRange, IsToldByEveryCommandThatIsGivenAState) {
   tests::ScratchDirectory const scratch;

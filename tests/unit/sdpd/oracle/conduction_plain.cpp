@@ -3,6 +3,7 @@
 #include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "unit/sdpd/oracle/plain.hpp"
+#include "unit/sdpd/oracle/plain_sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -22,14 +23,12 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     auto const [G, bits] = gaussians_and_bits_reference(sweep.noise.pairs, low, high);
     double const sign = low == block.ids()[pair.i] ? 1 : -1;
     ++counts.proposed;
-    try {
-      ExactHeat<Law>(PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}))
-          .step(scheme, weight, {.G = sign * G[0], .uniform = sweep.noise.uniform(low, high, bits)}, sweep,
-                counts);
-    } catch (PhysicsError const& error) {
-      failure.report(low, error.what());
+    if (!tried(low, failure, [&, low = low, high = high, &G = G, bits = bits] {
+          ExactHeat<Law>(PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}))
+              .step(scheme, weight, {.G = sign * G[0], .uniform = sweep.noise.uniform(low, high, bits)},
+                    sweep, counts);
+        }))
       return;
-    }
   }
   block.copy_out(system);
 }
@@ -39,15 +38,10 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
 void conduct_plain(System& system, PairScheme scheme, double dt, bool second) {
   std::visit(
       [&]<class Law>(Law const& law) {
-        if constexpr (!std::is_same_v<Law, std::monostate>) {
-          Sweep<Law> const sweep{law, dt, SweepNoise::of_conduction(system, second)};
-          with_weights(system, law, [&](auto const& weights) {
-            sweep_all_blocks<Law>(system, system.conduction_counts,
-                                  [&](std::size_t block, PairCounts& counts, Failure& failure) {
-                                    sweep_block(system, weights, scheme, block, sweep, counts, failure);
-                                  });
-          });
-        }
+        if constexpr (!std::is_same_v<Law, std::monostate>)
+          sweep_plainly(
+              system, law, dt, SweepNoise::of_conduction(system, second), system.conduction_counts,
+              [&](auto const& weights, auto&... more) { sweep_block(system, weights, scheme, more...); });
       },
       system.conduction);
 }

@@ -3,6 +3,7 @@
 #include "sdpd/fluctuation/pair_scheme.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "unit/sdpd/oracle/plain.hpp"
+#include "unit/sdpd/oracle/plain_sweep.hpp"
 
 namespace mesobridge::sdpd {
 namespace {
@@ -41,15 +42,14 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
     if constexpr (!Law::has_energies) {
       isothermal_step(block.particles()[pair.i], block.particles()[pair.j], e, weight, G, sweep);
     } else {
-      try {
-        double const uniform = sweep.noise.uniform(low, high, bits);
-        ExactPair<Law>(PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}),
-                       system.boltzmann)
-            .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
-      } catch (PhysicsError const& error) {
-        failure.report(low, error.what());
+      double const uniform = sweep.noise.uniform(low, high, bits);
+      if (!tried(low, failure, [&] {
+            ExactPair<Law>(
+                PairStates(system, {&block.particles()[pair.i], &block.particles()[pair.j]}, {i, j}),
+                system.boltzmann)
+                .step(scheme, {.e = e, .weight = weight}, {.G = G, .uniform = uniform}, sweep, counts);
+          }))
         return;
-      }
     }
   }
   block.copy_out(system);
@@ -60,13 +60,9 @@ void sweep_block(System& system, Weights const& weights, PairScheme scheme, std:
 void fluctuate_plain(System& system, PairScheme scheme, double dt, bool second) {
   std::visit(
       [&]<class Law>(Law const& law) {
-        Sweep<Law> const sweep{law, dt, SweepNoise::of_fluctuation(system, second)};
-        with_weights(system, law, [&](auto const& weights) {
-          sweep_all_blocks<Law>(system, system.pair_counts,
-                                [&](std::size_t block, PairCounts& counts, Failure& failure) {
-                                  sweep_block(system, weights, scheme, block, sweep, counts, failure);
-                                });
-        });
+        sweep_plainly(
+            system, law, dt, SweepNoise::of_fluctuation(system, second), system.pair_counts,
+            [&](auto const& weights, auto&... more) { sweep_block(system, weights, scheme, more...); });
       },
       system.law);
 }
