@@ -26,6 +26,7 @@ bins = 4
 every = 20
 [histogram]
 every = 20
+quantities = ["progress"] # the others are the same for all at the start
 )")
                                 .text();
 
