@@ -31,8 +31,7 @@ DetonationCase case_of(double K, double Z, double eta, ReproduceOptions const& o
 }
 
 std::string label_of(DetonationRow const& row) {
-  return row.Z == Z_usual ? fmt::format("K = {:g}, {:g} Pa s", row.K, row.eta)
-                          : fmt::format("K = {:g}, Z = {:g}/s", row.K, row.Z);
+  return fmt::format("K = {:g}, Z = {:g}/s, {:g} Pa s", row.K, row.Z, row.eta);
 }
 
 Table table_of(std::vector<DetonationRow> const& rows,
