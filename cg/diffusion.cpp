@@ -12,11 +12,6 @@ namespace {
 constexpr double least_resolved = 0.8; // of the correlation at the first lag, for its integral
 constexpr double window_in_decays = 8;
 
-/// Of one number over time: sums over pairs of frames a lag apart are divided by their number.
-struct Motion {
-  std::vector<double> squared_change, product;
-};
-
 /// <x(s+t) x(s)> of every lag up to the last, without a mean taken off.
 std::vector<double> products(std::vector<double> const& x, std::size_t last) {
   double const n = double(x.size()), mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
@@ -89,10 +84,11 @@ void check(BlobSeries const& series, DiffusionSettings const& settings) {
   require(settings.longest == 0 || (settings.longest >= 4 * interval && settings.longest <= run),
           "longest lag", settings.longest,
           fmt::format("must be {:g} (4 frames) ... {:g} (the run)", 4 * interval, run));
-  require(settings.viscosity >= 0, "viscosity", settings.viscosity, "must be >= 0");
+  require(settings.viscosity >= 0 && std::isfinite(settings.viscosity), "viscosity", settings.viscosity,
+          "must be >= 0 and finite");
 }
 
-/// A molecule that is as fast as the fastest on the way must not come half round the box between two frames.
+/// Where no molecule comes near half round the box between two frames, none has come more than half.
 void check_steps(BlobSeries const& series, std::vector<Vec3> const& ways) {
   std::size_t const N = series.molecules;
   for (std::size_t k = 1; k < series.frames(); ++k)

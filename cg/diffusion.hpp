@@ -27,8 +27,8 @@ struct Diffusion {
 };
 
 /// Of the molecules of a series at equal intervals, all of one mass. Throws InputError for fewer than 16
-/// frames or 4 molecules, unequal intervals, settings out of range, or a molecule that may have moved by half
-/// of the box between two frames.
+/// frames or 4 molecules, unequal intervals, settings out of range, or a step between two frames
+/// of 0.4 edges of the box or more, beyond which ways are not known.
 Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings = {});
 
 } // namespace mesobridge::cg

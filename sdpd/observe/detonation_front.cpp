@@ -94,8 +94,7 @@ std::optional<SteadyDetonation> steady_detonation(std::vector<DetonationFrame> c
       break; // what comes back from there is another wave
     if (!front || at_the_end || *front < flow.piston + start * (scale.position.back() - flow.piston))
       continue;
-    if (taken.frames.empty())
-      found.first = k;
+    found.frames.push_back(k);
     taken.frames.push_back(&frames[k]);
     taken.fronts.push_back(*front), taken.times.push_back(flow.time);
   }

@@ -21,8 +21,8 @@ struct FrontProfile {
 /// the second, each with its standard error.
 struct SteadyDetonation {
   cg::Estimate D, zone, change_of_D;
-  std::vector<double> times, fronts; ///< of the frames that were taken
-  std::size_t first = 0;             ///< the first of them
+  std::vector<std::size_t> frames;   ///< that were taken: their places in the list
+  std::vector<double> times, fronts; ///< of these
   FrontProfile profile;
 };
 

@@ -75,7 +75,7 @@ std::string potential_text(CoarseStructure const& structure, std::vector<Potenti
 }
 
 Report potential_report(CoarseStructure const& structure, std::vector<PotentialTrial> const& trials,
-                        std::string const& name) {
+                        std::string const& name, std::string const& units) {
   auto const& found = best(trials);
   Plot u{.name = "potential", .title = "Pair potential", .x = {.label = "r"}, .panels = {Panel{}}};
   u.panels[0].y.label = "u/k_BT";
@@ -97,10 +97,10 @@ Report potential_report(CoarseStructure const& structure, std::vector<PotentialT
       line("particles, first potential", found.g.width, trials.front().g.g, SeriesStyle::dashes)};
   Report report;
   report.title = "Pair potential of " + name;
-  report.lead = fmt::format(
-      "Particles with this potential have the radial distribution of the molecules' centres of mass "
-      "but for {:.2g} of its square; that with the potential of mean force, {:.2g}.",
-      found.difference, trials.front().difference);
+  report.lead = fmt::format("In units of {}: particles with this potential have the radial distribution of "
+                            "the molecules' centres of mass "
+                            "but for {:.2g} of its square; that with the potential of mean force, {:.2g}.",
+                            units, found.difference, trials.front().difference);
   report.sections = {{"Potential and structure",
                       {Figure{{draw_svg(u), draw_svg(g)},
                               "Where the molecules never come, the potential goes on as a + b r^2."}}},

@@ -14,6 +14,6 @@ std::string potential_text(CoarseStructure const& structure, std::vector<Potenti
 
 /// Potentials and structures, the first, the best and the one that was to be reached.
 Report potential_report(CoarseStructure const& structure, std::vector<PotentialTrial> const& trials,
-                        std::string const& name);
+                        std::string const& name, std::string const& units);
 
 } // namespace mesobridge::workflows

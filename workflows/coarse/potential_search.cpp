@@ -37,7 +37,22 @@ sdpd::SimulationSettings settings_of(cg::PairPotential const& potential, CoarseS
           .threads = search.threads};
 }
 
+/// A target near zero asks for no more digits than an ideal gas has.
+double pressure_scale(CoarseStructure const& structure) {
+  return std::max(std::abs(*structure.P), structure.density * structure.kT);
+}
+
 } // namespace
+
+void check_search(PotentialSearch const& search) {
+  constexpr std::uint64_t least_samples = 16; // of an error
+  require(search.iterations >= 1, "iterations", search.iterations, "must be at least 1");
+  require(search.every >= 1, "steps between instants", search.every, "must be at least 1");
+  require(search.sample >= least_samples * search.every, "steps", search.sample,
+          fmt::format("must be at least {}, {} instants, for a standard error", least_samples * search.every,
+                      least_samples));
+  require(search.enough >= 0, "enough", search.enough, "must be >= 0");
+}
 
 PotentialTrial try_potential(cg::PairPotential const& potential, CoarseStructure const& structure,
                              PotentialSearch const& search) {
@@ -63,12 +78,13 @@ PotentialTrial try_potential(cg::PairPotential const& potential, CoarseStructure
       .potential = potential, .g = {target.width, found.g()}, .P = cg::estimate_mean(pressures)};
   trial.distance = trial.difference = cg::g_difference(target, trial.g);
   if (structure.P)
-    trial.distance += 0.01 * std::pow(trial.P.mean / *structure.P - 1, 2);
+    trial.distance += 0.01 * std::pow((trial.P.mean - *structure.P) / pressure_scale(structure), 2);
   return trial;
 }
 
 std::vector<PotentialTrial> search_potential(CoarseStructure const& structure, PotentialSearch const& search,
                                              std::function<void(int)> const& done) {
+  check_search(search);
   std::vector<PotentialTrial> trials;
   auto potential = cg::boltzmann_potential(structure.g, search.inversion);
   int without_gain = 0;

@@ -31,7 +31,9 @@ struct PotentialTrial {
   cg::PairPotential potential;
   cg::RadialBins g;
   double difference = 0; ///< of the structures, cg::g_difference
-  double distance = 0; ///< what the search makes small: the same, and (P/P_target - 1)^2/100 where P is kept
+  /// What the search makes small: the same and, where P is kept, ((P - P_target)/scale)^2/100, the scale
+  /// being the larger of |P_target| and density kT.
+  double distance = 0;
   cg::Estimate P;
 };
 
@@ -40,8 +42,12 @@ struct PotentialTrial {
 PotentialTrial try_potential(cg::PairPotential const& potential, CoarseStructure const& structure,
                              PotentialSearch const& search);
 
+/// Throws InputError for numbers of iterations and steps that make no search.
+void check_search(PotentialSearch const& search);
+
 /// Iterative Boltzmann inversion on our own engine: all trials, until their structure is near enough or has
-/// not come nearer five times. `done` is called after each with its number. Throws Interrupted.
+/// not come nearer five times. `done` is called after each with its number. Throws as check_search and
+/// try_potential.
 std::vector<PotentialTrial> search_potential(CoarseStructure const& structure, PotentialSearch const& search,
                                              std::function<void(int)> const& done);
 

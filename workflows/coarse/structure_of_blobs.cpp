@@ -46,7 +46,8 @@ CoarseStructure structure_of(BlobData const& data, double width) {
                             .mass = data.head.mass,
                             .kT = kT_of(data),
                             .g = {R / double(bins), found.g()}};
-  if (!data.pressures.empty())
+  // Trajectories say no pressure, and their blobs have 0 in its place.
+  if (std::ranges::any_of(data.pressures, [](double P) { return P != 0; }))
     structure.P =
         std::accumulate(data.pressures.begin(), data.pressures.end(), 0.0) / double(data.pressures.size());
   return structure;

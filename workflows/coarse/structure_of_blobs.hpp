@@ -5,7 +5,8 @@
 namespace mesobridge::workflows {
 
 /// What a coarse fluid of the same molecules is to have: density, mass, temperature of the centres of mass,
-/// radial distribution in bins of about `width` up to half of the box, and the pressure. Throws InputError
+/// radial distribution in bins of about `width` up to half of the box, and the pressure
+/// where the file has one. Throws InputError
 /// for isolated molecules, or a box of another size in each frame.
 CoarseStructure structure_of(BlobData const& data, double width);
 

@@ -41,9 +41,12 @@ PotentialSearch search_of(CgPotentialOptions const& options, CoarseStructure con
 Result potential(CgPotentialOptions const& options, Context const& context) {
   auto const data = read_blobs(options.input);
   refuse_walls(data.head, options.input, "a potential");
+  check_search(options.search); // before any work
   auto structure = structure_of(data, options.width);
   auto const search = search_of(options, structure, context);
   auto const P = structure.P;
+  require(P || !options.pressure, "--pressure", options.input.string(),
+          "holds no pressures, as blobs of a trajectory do not: it cannot be kept");
   if (!options.pressure)
     structure.P.reset(); // it is shown, not kept
   auto progress = context.progress("Potential", 1);
@@ -59,10 +62,11 @@ Result potential(CgPotentialOptions const& options, Context const& context) {
   Result result;
   result.json = potential_json(structure, trials);
   result.json["method"] = options.method;
+  result.json["units"] = units_text(data.head);
   result.json["provenance"] = provenance_json(provenance);
   write_text_file(directory / "potential.csv", potential_csv(best(trials).potential));
   write_summary(directory / "potential.json", result.json);
-  auto report = potential_report(structure, trials, data.head.name);
+  auto report = potential_report(structure, trials, data.head.name, units_text(data.head));
   report.provenance = provenance;
   write_text_file(directory / "potential.html", report.html());
   result.text = potential_text(structure, trials) + (directory / "potential.csv").string();

@@ -20,6 +20,8 @@ Result transport(CgTransportOptions const& options, Context const& context) {
   require(head.rho > 0, "blobs", head.kind,
           "must be those of a melt or a trajectory: isolated molecules do not diffuse");
   refuse_walls(head, options.input, "diffusion");
+  require(head.time_unit != "steps", "times of the blobs", "steps",
+          "must be times, or D has no unit: give `cg blobs` the time step, --dt");
   auto const found = cg::diffusion(series_of(std::move(data)), options.settings);
   auto const folder = options.input.parent_path();
   auto const directory = context.output_directory(folder.empty() ? "." : folder);

@@ -154,7 +154,7 @@ std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& sc
   auto measured = sdpd::steady_detonation(frames, scale, start);
   if (!measured)
     return std::nullopt;
-  std::size_t const last = measured->first + measured->times.size() - 1;
+  std::size_t const last = measured->frames.back();
   DetonationOfRun found{std::move(*measured),        std::move(*theory), {}, {}, frames[last].flow.time, {},
                         wall_behind(scene, settings)};
   for (std::size_t s = scale.position.size(); s-- > 0;)
@@ -165,7 +165,7 @@ std::optional<DetonationOfRun> detonation_of(Store const& store, Scene const& sc
   constexpr std::size_t instants = 4;
   for (std::size_t k = 1; k <= instants; ++k) {
     std::size_t const n = (found.measured.fronts.size() - 1) * k / instants;
-    found.release.push_back(release_of(frames[found.measured.first + n], found.measured.fronts[n],
+    found.release.push_back(release_of(frames[found.measured.frames[n]], found.measured.fronts[n],
                                        found.measured.zone.mean, scale.position));
   }
   return found;

@@ -40,7 +40,8 @@ TEST(PotentialSearch, FindsASoftPotentialThatWasPutIn) {
   for (std::size_t k = 10; k < known.u.size(); ++k, ++compared) // nearer pairs are rare
     EXPECT_NEAR(found.potential.u[k], known.u[k], 0.01 * u_0) << known.r(k);
   EXPECT_EQ(compared, 30u);
-  EXPECT_NEAR(found.P.mean / of_known.P.mean, 1, 0.05); // a tail that g hardly feels decides it
+  EXPECT_NEAR(found.P.mean / of_known.P.mean, 1,
+              0.05); // by a tail that g hardly feels; 1 to 3 % were seen, 77 % at first
 }
 
 } // namespace

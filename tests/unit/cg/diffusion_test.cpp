@@ -2,6 +2,7 @@
 #include "error_text.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace mesobridge::cg {
@@ -158,6 +159,7 @@ TEST(Diffusion, RefusesByName) {
   refused(good, {.longest = 100}, "longest lag");
   refused(good, {.groups = 3}, "groups");
   refused(good, {.viscosity = -1}, "viscosity");
+  refused(good, {.viscosity = std::numeric_limits<double>::infinity()}, "viscosity");
   auto gap = good;
   gap.times.back() += 0.01;
   refused(gap, {}, "interval");

@@ -77,6 +77,19 @@ TEST(DetonationFront, SaysThatAWaveStillChanges) {
   EXPECT_NEAR(found->change_of_D.mean, wave.acceleration * apart, 0.15 * wave.acceleration * apart);
 }
 
+// A frame that nobody finds a front in is no place to look for the next one's.
+TEST(DetonationFront, KnowsWhichFramesItTook) {
+  Wave const wave;
+  auto frames = wave.frames(110);
+  frames[70].flow.velocity.assign(frames[70].flow.velocity.size(), 0);
+  auto const found = steady_detonation(frames, wave.scale(), 0.3);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->frames.size(), found->times.size());
+  for (std::size_t k = 0; k < found->frames.size(); ++k)
+    EXPECT_EQ(frames[found->frames[k]].flow.time, found->times[k]);
+  EXPECT_EQ(found->frames.back() - found->frames.front(), found->frames.size());
+}
+
 // Behind a piston there is no fluid: its zeros are no part of any mean.
 TEST(DetonationFront, LeavesOutSlicesThatAPistonHasLeft) {
   Wave const wave;

@@ -41,6 +41,11 @@ TEST(CoarsePotential, IsRefusedByName) {
   for (auto const& [more, says] : {Case{{"--cutoff", "1000"}, "cutoff"},
                                    {{"--bin-width", "50"}, "bin width"},
                                    {{"--share", "2"}, "share"},
+                                   {{"--iterations", "0"}, "iterations"},
+                                   {{"--iterations", "-3"}, "iterations"},
+                                   {{"--steps", "100"}, "steps"},
+                                   {{"--enough", "nan"}, "enough"},
+                                   {{"--pressure"}, "holds no pressures"},
                                    {{"--method", "magic"}, "hnc"}}) {
     std::vector<std::string> words{"cg", "potential", file.string()};
     words.insert(words.end(), more.begin(), more.end());
