@@ -1,8 +1,6 @@
 #include "fitting/fit_dpde.hpp"
 #include "fitting/root.hpp"
 #include <cmath>
-#include <sstream>
-#include <toml++/toml.h>
 
 namespace mesobridge::fitting {
 namespace {
@@ -82,26 +80,8 @@ DpdeFit fit_dpde(cg::EntropyFit const& fit, DpdeRange const& range) {
   return result;
 }
 
-std::string to_toml(DpdeFit const& fit, std::string const& data_hash,
-                    std::map<std::string, std::string> const& provenance) {
-  toml::array T, C;
-  for (std::size_t k = 0; k < fit.T_table.size(); ++k)
-    T.push_back(fit.T_table[k]), C.push_back(fit.C_table[k]);
-  toml::table notes;
-  for (auto const& [key, value] : provenance)
-    notes.insert_or_assign(key, value);
-  toml::table const file{{"format", "mesobridge internal energy 1"},
-                         {"kind", "heat-capacity"},
-                         {"temperature_unit", "reduced"},
-                         {"data_hash", data_hash},
-                         {"heat_capacity", toml::table{{"points", double(fit.T_table.size())},
-                                                       {"T", T},
-                                                       {"C_kB", C},
-                                                       {"eps_min_over_kB", fit.eps_min}}},
-                         {"provenance", notes}};
-  std::ostringstream text;
-  text << file << "\n";
-  return text.str();
+TabulatedHeatCapacity internal_energy_of(DpdeFit const& fit) {
+  return {fit.T_table, fit.C_table, fit.eps_min};
 }
 
 } // namespace mesobridge::fitting

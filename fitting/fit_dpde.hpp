@@ -1,7 +1,7 @@
 #pragma once
 #include "cg/entropy.hpp"
-#include <map>
-#include <string>
+#include "fitting/internal_energy.hpp"
+#include <vector>
 
 namespace mesobridge::fitting {
 
@@ -26,9 +26,7 @@ struct DpdeFit {
 /// InputError for a range that does not hold the sampled temperatures.
 DpdeFit fit_dpde(cg::EntropyFit const& fit, DpdeRange const& range);
 
-/// The model as a file of the format "mesobridge internal energy 1", kind "heat-capacity", which a DPDE scene
-/// names as its internal energy.
-std::string to_toml(DpdeFit const& fit, std::string const& data_hash,
-                    std::map<std::string, std::string> const& provenance);
+/// The internal energy of a DPDE particle with the fit's C(T).
+TabulatedHeatCapacity internal_energy_of(DpdeFit const& fit);
 
 } // namespace mesobridge::fitting

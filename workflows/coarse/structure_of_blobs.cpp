@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t most_frames_seen = 400; // neighbouring ones show the same structure
 
-/// k_B T of the centres of mass, whose motion together is taken out.
+} // namespace
+
 double kT_of(BlobData const& data) {
   auto const N = std::size_t(data.head.molecules);
   double sum = 0;
@@ -21,10 +22,9 @@ double kT_of(BlobData const& data) {
     for (std::size_t m = 0; m < N; ++m)
       sum += norm2(data.P[k * N + m] - together);
   }
+  require(sum > 0 && N > 1, "motion of the molecules", sum, "they must move, or they have no temperature");
   return sum / (3 * data.head.mass * double(N - 1) * double(data.frames()));
 }
-
-} // namespace
 
 CoarseStructure structure_of(BlobData const& data, double width) {
   auto const N = std::size_t(data.head.molecules);

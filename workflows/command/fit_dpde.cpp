@@ -1,7 +1,10 @@
 #include "fitting/fit_dpde.hpp"
+#include "fitting/particle_model_file.hpp"
 #include "md/error.hpp"
+#include "workflows/coarse/structure_of_blobs.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/report/number_text.hpp"
+#include "workflows/sdpd/column_file.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
@@ -17,7 +20,24 @@ struct FitDpdeOptions {
   std::string route;
   std::size_t order = 3;
   fitting::DpdeRange range;
+  std::optional<std::filesystem::path> potential, friction, conduction; ///< what two particles do to each other
 };
+
+/// The tables that the user has, and the hashes of their files.
+void put_tables(FitDpdeOptions const& options, fitting::ParticleModel& model) {
+  auto const read = [&](std::optional<std::filesystem::path> const& file, char const* what,
+                        std::vector<std::string> const& required, std::vector<std::string> const& optional,
+                        fitting::PairColumns& columns) {
+    if (!file)
+      return;
+    columns = read_columns(*file, required, optional);
+    model.provenance[what] = fmt::format("{}, SHA-256 {}", file->filename().string(), sha256_of_file(*file));
+  };
+  read(options.potential, "potential", {"r", "u"}, {"f", "u_se"}, model.potential);
+  read(options.friction, "friction", {"r", "gamma_par"}, {"gamma_perp", "gamma_par_se", "gamma_perp_se"},
+       model.friction);
+  read(options.conduction, "conduction", {"r", "kappa"}, {"kappa_se"}, model.conduction);
+}
 
 Json json_of(fitting::DpdeFit const& fit) {
   Json json{{"T_sampled_low", fit.T_sampled_low}, {"T_sampled_high", fit.T_sampled_high}, {"T", fit.T}};
@@ -35,8 +55,13 @@ Json json_of(fitting::DpdeFit const& fit) {
 
 Result fit_dpde(FitDpdeOptions const& options, Context const& context) {
   auto data = read_blobs(options.file);
-  bool const melt = data.head.kind == "melt";
-  auto const name = data.head.name;
+  auto const head = data.head;
+  bool const melt = head.kind == "melt";
+  auto const& name = head.name;
+  fitting::ParticleModel model{.internal_energy = fitting::ConstantHeatCapacity(1), .reduced = true};
+  model.mass = head.mass;
+  if (melt)
+    model.state = {head.rho * head.mass / head.atoms, kT_of(data)};
   EntropyFiles files{.melt = {}, .vacuum = {}, .microcanonical = {}, .order = options.order};
   (melt ? files.melt : files.vacuum) = std::move(data);
   auto const routes = entropy_routes(std::move(files));
@@ -44,7 +69,9 @@ Result fit_dpde(FitDpdeOptions const& options, Context const& context) {
       std::string(melt ? "melt" : "vacuum") + (options.route == "kinetic" ? "_kinetic" : "");
   auto const* const curve = routes.curve(route);
   auto const fit = fitting::fit_dpde(curve->fit, options.range);
-  std::map<std::string, std::string> const provenance{
+  model.internal_energy = internal_energy_of(fit);
+  model.data_hash = sha256_of_file(options.file);
+  model.provenance = {
       {"program", fmt::format("mesobridge {}", version())},
       {"git_commit", std::string(git_commit())},
       {"command", context.command_line()},
@@ -53,9 +80,10 @@ Result fit_dpde(FitDpdeOptions const& options, Context const& context) {
       {"route", route},
       {"sampled_T",
        fmt::format("{:.4g} ... {:.4g}; beyond, C is constant", fit.T_sampled_low, fit.T_sampled_high)}};
+  put_tables(options, model);
   auto const directory = context.output_directory("out/dpde");
   auto const file = directory / fmt::format("{}-{}.toml", name, melt ? "melt" : "vacuum");
-  write_text_file(file, fitting::to_toml(fit, sha256_of_file(options.file), provenance));
+  write_text_file(file, fitting::to_toml(model));
   Result result;
   result.json = json_of(fit);
   result.json["model"] = file.string();
@@ -76,6 +104,11 @@ void declare(CLI::App& app, FitDpdeOptions& options) {
   app.add_option("--route", options.route, "density (ln P(U) + beta U) or kinetic (<1/E_kin>)")
       ->check(CLI::IsMember({"density", "kinetic"}));
   app.add_option("--order", options.order, "Terms of S(ln U), 1 ... 5 (default 3)");
+  app.add_option("--potential", options.potential, "Of two particles: CSV with columns r,u, from `cg potential`")
+      ->type_name("FILE.csv");
+  app.add_option("--friction", options.friction, "CSV with columns r,gamma_par,gamma_perp, from `cg friction`")
+      ->type_name("FILE.csv");
+  app.add_option("--conduction", options.conduction, "CSV with columns r,kappa")->type_name("FILE.csv");
   app.add_option("--T-min", options.range.T_min, "Lowest temperature of the model (default 0.05)");
   app.add_option("--T-max", options.range.T_max, "Highest temperature of the model (default 10)");
 }

@@ -15,6 +15,7 @@ Command::Action md_star_vacuum_command(CLI::App&);
 Command::Action cg_state_grid_command(CLI::App&);
 Command::Action cg_blobs_command(CLI::App&);
 Command::Action cg_correlations_command(CLI::App&);
+Command::Action cg_exchange_command(CLI::App&);
 Command::Action cg_transport_command(CLI::App&);
 Command::Action cg_potential_command(CLI::App&);
 Command::Action cg_entropy_command(CLI::App&);
@@ -84,6 +85,10 @@ std::vector<Command> commands() {
        .summary = "Test the key approximation: are R, P and U of the blobs independent?",
        .example = "mesobridge cg correlations out/melt/blobs.h5",
        .declare = cg_correlations_command},
+      {.name = "cg exchange",
+       .summary = "how internal energies of molecules decay and pass to neighbours: heat conduction of DPDE",
+       .example = "mesobridge cg exchange out/melt/blobs.h5 --friction out/held/friction.csv",
+       .declare = cg_exchange_command},
       {.name = "cg transport",
        .summary = "How fast molecules diffuse, by their displacements and velocities",
        .example = "mesobridge cg transport out/melt/blobs.h5",

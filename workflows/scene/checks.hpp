@@ -15,6 +15,8 @@ class Places {
   void note(std::string const& path, std::string const& place) { places_.emplace(path, place); }
   void note(std::string const& path, unsigned line) { note(path, file_ + ":" + std::to_string(line)); }
 
+  bool given(std::string const& path) const { return places_.contains(path); }
+
   /// The place of a key, or the file for a key that was not given.
   std::string of(std::string const& path) const {
     auto const found = places_.find(path);

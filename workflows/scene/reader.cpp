@@ -192,6 +192,7 @@ Scene parse_scene(std::string const& text, std::filesystem::path const& file,
   resolve_model_paths(scene, file.parent_path(), places);
   resolve_pair_files(scene, file.parent_path(), places);
   resolve_piston_file(scene, file.parent_path(), places);
+  take_particle_model(scene, places);
   check_together(scene, places);
   return scene;
 }

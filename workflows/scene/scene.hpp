@@ -76,7 +76,8 @@ struct Scene {
     std::string kernel = "wendland-c4"; ///< does not let particles pair; costs what the cubic one does
     double h_factor = 2.5;
     double disorder = 0.15;
-    std::optional<double> mass; ///< dpd, dpde
+    std::optional<std::string> model; ///< dpd, dpde: a file that says what follows and how two interact
+    std::optional<double> mass;       ///< dpd, dpde
     std::string density = "auto";
     std::optional<double> density_scale, density_self;
     std::int64_t calibration_steps = 0; ///< 0: by the length of the run
@@ -136,12 +137,12 @@ struct Scene {
     bool operator==(Friction const&) const = default;
   } friction;
   struct Conduction { ///< dpde; the file, or the others
-    double kappa = 0;
+    std::optional<double> kappa;
     std::optional<double> cutoff, exponent;
     std::optional<std::string> file;
     bool operator==(Conduction const&) const = default;
   } conduction;
-  struct InternalEnergy { ///< dpde; one of the two
+  struct InternalEnergy { ///< dpde; one of the two, or particles.model
     std::optional<double> heat_capacity;
     std::optional<std::string> model;
     bool operator==(InternalEnergy const&) const = default;

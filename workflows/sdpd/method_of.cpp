@@ -1,6 +1,6 @@
 #include "workflows/sdpd/method_of.hpp"
-#include "fitting/internal_energy_file.hpp"
 #include "md/units.hpp"
+#include "workflows/scene/pair_checks.hpp"
 #include "workflows/sdpd/column_file.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
@@ -23,6 +23,12 @@ auto from_table(std::string const& key, std::string const& file, Make const& mak
   }
 }
 
+/// What the scene's model of a particle says of two of them, "r" and others by their reduced names; the scene's checks
+/// have seen to it that it does.
+fitting::PairColumns columns_of_model(Scene const& scene, fitting::PairColumns fitting::ParticleModel::*part) {
+  return particle_model_of(scene).value().*part;
+}
+
 sdpd::TabulatedPotential tabulated_potential(Scene const& scene) {
   std::string const r = is_si(scene) ? "r_m" : "r", u = is_si(scene) ? "u_J" : "u",
                     f = is_si(scene) ? "f_N" : "f";
@@ -35,6 +41,11 @@ sdpd::TabulatedPotential tabulated_potential(Scene const& scene) {
 sdpd::AnyPotential potential_of(Scene const& scene) {
   if (scene.potential.name == "table")
     return tabulated_potential(scene);
+  if (scene.potential.name == "model") {
+    auto columns = columns_of_model(scene, &fitting::ParticleModel::potential);
+    return from_table("particles.model", *scene.particles.model,
+                      [&] { return sdpd::TabulatedPotential(columns["r"], columns["u"], columns["f"]); });
+  }
   auto const& kind =
       *std::ranges::find(sdpd::potentials(), scene.potential.name, &sdpd::NamedPotential::name);
   std::vector<double> values;
@@ -45,6 +56,12 @@ sdpd::AnyPotential potential_of(Scene const& scene) {
 
 sdpd::AnyWeightFunction friction_of(Scene const& scene) {
   auto const& friction = scene.friction;
+  if (friction == Scene::Friction{}) {
+    auto columns = columns_of_model(scene, &fitting::ParticleModel::friction);
+    return from_table("particles.model", *scene.particles.model, [&] {
+      return sdpd::TabulatedFriction(columns["r"], columns["gamma_par"], columns["gamma_perp"]);
+    });
+  }
   if (!friction.file)
     return sdpd::PowerFriction(*friction.gamma_par, friction.gamma_perp, *friction.cutoff,
                                friction.exponent.value_or(2));
@@ -64,9 +81,16 @@ std::optional<sdpd::AnyWeightFunction> conduction_of(Scene const& scene, double 
     return from_table("conduction.file", *conduction.file,
                       [&] { return sdpd::TabulatedFriction(columns[r], columns[kappa], {}); });
   }
-  if (conduction.kappa == 0)
+  if (!conduction.kappa) {
+    auto columns = columns_of_model(scene, &fitting::ParticleModel::conduction);
+    if (columns.empty())
+      return std::nullopt;
+    return from_table("particles.model", *scene.particles.model,
+                      [&] { return sdpd::TabulatedFriction(columns["r"], columns["kappa"], {}); });
+  }
+  if (*conduction.kappa == 0)
     return std::nullopt;
-  return sdpd::PowerFriction(conduction.kappa, 0, conduction.cutoff.value_or(friction_cutoff),
+  return sdpd::PowerFriction(*conduction.kappa, 0, conduction.cutoff.value_or(friction_cutoff),
                              conduction.exponent.value_or(2));
 }
 
@@ -74,7 +98,9 @@ fitting::AnyInternalEnergy internal_energy_of(Scene const& scene) {
   auto const& [heat_capacity, file] = scene.internal_energy;
   if (heat_capacity)
     return fitting::ConstantHeatCapacity(*heat_capacity);
-  auto const model = fitting::parse_internal_energy(read_text_file(*file), *file);
+  if (!file)
+    return particle_model_of(scene).value().internal_energy;
+  auto const model = fitting::parse_particle_model(read_text_file(*file), *file);
   bool const constant = std::holds_alternative<fitting::ConstantHeatCapacity>(model.internal_energy);
   require(constant || model.reduced != is_si(scene), "internal_energy.model", *file,
           model.reduced ? "its temperatures are reduced, but units = \"SI\""

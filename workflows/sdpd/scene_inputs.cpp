@@ -11,6 +11,7 @@ std::vector<SceneFile> scene_files(Scene const& scene) {
   };
   add("fluid.eos", scene.fluid.eos);
   add("reaction.product", scene.reaction.product);
+  add("particles.model", scene.particles.model);
   add("potential.file", scene.potential.file);
   add("friction.file", scene.friction.file);
   add("conduction.file", scene.conduction.file);

@@ -1,4 +1,4 @@
-#include "fitting/internal_energy_file.hpp"
+#include "fitting/particle_model_file.hpp"
 #include "md/error.hpp"
 #include <gtest/gtest.h>
 
@@ -87,10 +87,13 @@ TEST(InternalEnergy, RefusesWhatLiesOutside) {
   EXPECT_THROW(TabulatedEntropy({1, 2, 3, 4, 5, 6}, {0, 1, 3, 6, 10, 15}), InputError); // convex
 }
 
-TEST(InternalEnergyFile, ReadsBackBitForBit) {
+TEST(ParticleModelFile, ReadsBackBitForBit) {
   TabulatedHeatCapacity const table({0.3, 0.7, 1.0 / 3 + 1, 1.5}, {5, 9, 8.1, 12}, 2);
-  InternalEnergyModel const model{table, true, "abc", {{"made by", "a \"test\""}}};
-  auto const read = parse_internal_energy(to_toml(model), "model.toml");
+  ParticleModel const model{.internal_energy = table,
+.reduced = true,
+.data_hash = "abc",
+.provenance = {{"made by", "a \"test\""}}};
+  auto const read = parse_particle_model(to_toml(model), "model.toml");
   auto const& back = std::get<TabulatedHeatCapacity>(read.internal_energy);
   EXPECT_EQ(back.temperatures(), table.temperatures());
   EXPECT_EQ(back.heat_capacities(), table.heat_capacities());
@@ -98,18 +101,46 @@ TEST(InternalEnergyFile, ReadsBackBitForBit) {
   EXPECT_EQ(read.data_hash, "abc");
   EXPECT_EQ(read.provenance, model.provenance);
   EXPECT_TRUE(read.reduced);
-  auto const entropy = parse_internal_energy(to_toml({entropy_table(), false, "", {}}), "model.toml");
+  auto const entropy = parse_particle_model(to_toml({.internal_energy = entropy_table()}), "model.toml");
   EXPECT_EQ(std::get<TabulatedEntropy>(entropy.internal_energy).energy(0.5), entropy_table().energy(0.5));
   auto const constant =
-      parse_internal_energy(to_toml({ConstantHeatCapacity(60), false, "", {}}), "model.toml");
+      parse_particle_model(to_toml({.internal_energy = ConstantHeatCapacity(60)}), "model.toml");
   EXPECT_EQ(std::get<ConstantHeatCapacity>(constant.internal_energy).heat_capacity(1), 60);
   EXPECT_FALSE(constant.reduced);
 }
 
-TEST(InternalEnergyFile, NamesFileKeyAndWhatIsAllowed) {
+/// A particle of which everything is known.
+ParticleModel whole(bool reduced) {
+  return {.internal_energy = ConstantHeatCapacity(30),
+          .reduced = reduced,
+          .data_hash = "",
+          .provenance = {},
+          .mass = 19.0 / 3,
+          .state = ParticleModel::State{0.3, 1.0 / 3},
+          .potential = {{"r", {0, 1, 2}}, {"u", {3, 1.0 / 3, 0}}, {"f", {2, 1, 0}}, {"u_se", {1, 0.1, 0.1}}},
+          .friction = {{"r", {0, 2}}, {"gamma_par", {12.5, 0}}, {"gamma_perp", {4.0 / 7, 0}}},
+          .conduction = {{"r", {0, 1, 3}}, {"kappa", {8, 2, 0}}}};
+}
+
+TEST(ParticleModelFile, HoldsAllThatAParticleIs) {
+  for (bool const reduced : {true, false}) {
+    auto const model = whole(reduced);
+    auto const text = to_toml(model);
+    EXPECT_EQ(text.find("gamma_par_kg_s") == std::string::npos, reduced);
+    auto const read = parse_particle_model(text, "model.toml");
+    EXPECT_EQ(read.mass, model.mass);
+    EXPECT_EQ(read.state, model.state);
+    EXPECT_EQ(read.potential, model.potential);
+    EXPECT_EQ(read.friction, model.friction);
+    EXPECT_EQ(read.conduction, model.conduction);
+    EXPECT_EQ(to_toml(read), text);
+  }
+}
+
+TEST(ParticleModelFile, NamesFileKeyAndWhatIsAllowed) {
   auto refused = [](std::string const& text, std::string const& what) {
     try {
-      parse_internal_energy(text, "model.toml");
+      parse_particle_model(text, "model.toml");
       ADD_FAILURE() << text;
     } catch (InputError const& error) {
       EXPECT_NE(std::string(error.what()).find("model.toml"), std::string::npos) << error.what();
@@ -121,6 +152,13 @@ TEST(InternalEnergyFile, NamesFileKeyAndWhatIsAllowed) {
   refused(head + "kind = \"linear\"\n", "heat-capacity");
   refused(head + "kind = \"constant\"\n[constant]\nC_kB = -1.0\n", "must be > 0");
   refused(head + "kind = \"constant\"\n[constant]\nC_kB = 2.0\nD = 1.0\n", "D");
+  std::string const particle = head + "kind = \"constant\"\n[constant]\nC_kB = 2.0\n";
+  refused(particle + "[particle]\nmass = 1.0\n", "mass_kg");
+  refused(particle + "[particle]\nmass_kg = 0.0\n", "must be > 0");
+  refused(particle + "[state]\nrho_kg_m3 = -1.0\nT = 1.0\n", "rho_kg_m3");
+  refused(particle + "[potential]\npoints = 2\nr_m = [0.0, 1.0]\n", "u_J");
+  refused(particle + "[friction]\npoints = 2\nr_m = [0.0, 1.0]\ngamma_par_kg_s = [1.0]\n", "gamma_par_kg_s");
+  refused(particle + "[conduction]\npoints = 2\nr_m = [0.0, 1.0]\nkappa = [1.0, 0.0]\n", "kappa");
   refused(head + "kind = \"heat-capacity\"\n[heat_capacity]\npoints = 4\nT = [1.0, 2.0]\nC_kB = [1.0]\n",
           "T");
 }

@@ -224,5 +224,90 @@ TEST(PairScene, TakesTablesAndModelsFromFiles) {
   EXPECT_THROW(read_columns(scratch / "bad.csv", {"r", "u", "f"}, {}), InputError);
 }
 
+std::string const particle = R"(format = "mesobridge particle 1"
+kind = "constant"
+temperature_unit = "reduced"
+[constant]
+C_kB = 30.0
+[particle]
+mass = 2.0
+[potential]
+points = 4
+r = [0.0, 0.5, 0.75, 1.0]
+u = [8.0, 2.0, 0.5, 0.0]
+[friction]
+points = 3
+r = [0.0, 0.5, 1.0]
+gamma_par = [4.0, 1.0, 0.0]
+gamma_perp = [2.0, 0.5, 0.0]
+[conduction]
+points = 3
+r = [0.0, 0.5, 1.5]
+kappa = [9.0, 3.0, 0.0]
+)";
+
+/// The scene with its mass, potential, friction and internal energy left to a model.
+std::string scene_by_model(std::string const& more = "") {
+  auto text = replaced(dpde, "mass = 1\n", "model = \"particle.toml\"\n");
+  text = replaced(text, "[potential]\nname = \"soft\"\na = 25\ncutoff = 1\n", "");
+  text = replaced(text, "[friction]\ngamma_par = 4.5\ncutoff = 1\n", "");
+  return replaced(text, "[internal_energy]\nheat_capacity = 60\n", "") + more;
+}
+
+TEST(PairScene, TakesAllOfAParticleFromItsModel) {
+  tests::ScratchDirectory const scratch;
+  write_text_file(scratch / "particle.toml", particle);
+  auto const scene = parse_scene(scene_by_model(), scratch / "scene.toml");
+  EXPECT_EQ(scene.particles.mass, 2);
+  auto const settings = settings_of(scene, 1);
+  auto const& fluid = settings.as<sdpd::Dpde>();
+  EXPECT_EQ(fluid.mass, 2);
+  EXPECT_NEAR(std::get<sdpd::TabulatedFriction>(fluid.friction)(0.5).perp, 0.5, 1e-3);
+  EXPECT_EQ(std::get<fitting::ConstantHeatCapacity>(fluid.internal_energy).heat_capacity(1), 30);
+  EXPECT_NEAR(std::get<sdpd::TabulatedFriction>(fluid.conduction.value())(0.5).par, 3, 1e-3);
+  EXPECT_TRUE(std::holds_alternative<sdpd::TabulatedPotential>(fluid.potential));
+  EXPECT_TRUE(parse_scene(resolved_toml(scene), "elsewhere.toml") == scene);
+}
+
+TEST(PairScene, WhatItSaysTakesThePlaceOfItsModel) {
+  tests::ScratchDirectory const scratch;
+  write_text_file(scratch / "particle.toml", particle);
+  auto const of = [&](std::string const& more) {
+    auto const scene = parse_scene(scene_by_model(more), scratch / "scene.toml");
+    EXPECT_TRUE(parse_scene(resolved_toml(scene), "elsewhere.toml") == scene);
+    return settings_of(scene, 1).as<sdpd::Dpde>();
+  };
+  EXPECT_TRUE(std::holds_alternative<sdpd::PowerFriction>(of("[friction]\ngamma_par = 1\ncutoff = 1\n").friction));
+  EXPECT_FALSE(of("[conduction]\nkappa = 0\n").conduction);
+  EXPECT_TRUE(std::holds_alternative<sdpd::NoPotential>(of("[potential]\nname = \"none\"\n").potential));
+  auto const heavy = of("[internal_energy]\nheat_capacity = 70\n");
+  EXPECT_EQ(std::get<fitting::ConstantHeatCapacity>(heavy.internal_energy).heat_capacity(1), 70);
+}
+
+TEST(PairScene, NamesWhatItsModelLacks) {
+  tests::ScratchDirectory const scratch;
+  auto const error = [&](std::string const& model, std::string const& more = "") {
+    write_text_file(scratch / "particle.toml", model);
+    try {
+      parse_scene(scene_by_model(more), scratch / "scene.toml");
+      return std::string("no error");
+    } catch (InputError const& refused) {
+      return std::string(refused.what());
+    }
+  };
+  auto const without = [](std::string const& part) {
+    auto const begin = particle.find(part), end = particle.find("\n[", begin);
+    return particle.substr(0, begin) + (end == std::string::npos ? "" : particle.substr(end + 1));
+  };
+  EXPECT_EQ(error(particle), "no error");
+  EXPECT_EQ(error(without("[conduction]")), "no error");
+  EXPECT_EQ(error(without("[potential]")), "no error");
+  EXPECT_NE(error(without("[particle]")).find("particles.mass"), std::string::npos);
+  EXPECT_NE(error(without("[friction]")).find("friction.gamma_par"), std::string::npos);
+  EXPECT_NE(error(without("[potential]"), "[potential]\nname = \"model\"\n").find("potential.name"), std::string::npos);
+  EXPECT_NE(error(replaced(particle, "reduced", "K")).find("particle.toml"), std::string::npos);
+  EXPECT_NE(error(replaced(particle, "C_kB = 30.0", "C_kB = 0.0")).find("must be > 0"), std::string::npos);
+}
+
 } // namespace
 } // namespace mesobridge::workflows

@@ -40,7 +40,7 @@ std::vector<SceneKey> friction_keys() {
           "kappa", &Scene::Conduction::kappa,
           "heat that particles exchange beside their friction, at contact: kappa (1 - r/cutoff)^exponent "
           "(1/T_i "
-          "- 1/T_j) per time, with its noise; 0: none")
+          "- 1/T_j) per time, with its noise; 0: none. If not given, that of particles.model, or none")
           .quantity(Dimension::conduction, not_negative)
           .of<sdpd::Dpde>(),
       conduction("cutoff", &Scene::Conduction::cutoff, "where it ends; if not given, where the friction does")

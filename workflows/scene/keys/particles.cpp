@@ -69,8 +69,11 @@ std::vector<SceneKey> particle_keys() {
           .choices({"auto", "mass", "number"})
           .written_if([](Scene const& scene) { return !scene.regions.empty(); })
           .of<sdpd::Sdpd>(),
-      particles("mass", &Scene::Particles::mass, "mass of one particle")
-          .required()
+      particles("model", &Scene::Particles::model,
+                "path of a model file, as `fit dpde` writes it, with the mass of a particle, its internal energy, the potential, the "
+                "friction and the conduction of two; what the scene says of one of these takes its place")
+          .of<sdpd::Dpde, sdpd::Dpd>(),
+      particles("mass", &Scene::Particles::mass, "mass of one particle; if not given, that of the model")
           .quantity(Dimension::mass, positive)
           .of<sdpd::Dpde, sdpd::Dpd>(),
   };
