@@ -14,12 +14,6 @@ struct Lags {
   std::size_t last, from, to;
 };
 
-Lags lags_of(BlobSeries const& series, ExchangeSettings const& settings) {
-  double const interval = series.interval();
-  auto const frames = [&](double time) { return std::size_t(std::lround(time / interval)); };
-  return {frames(settings.longest), frames(settings.from), frames(settings.to)};
-}
-
 double half_edge(BlobSeries const& series) {
   auto const& edge = series.boxes.front().edge;
   return 0.5 * std::min({edge.x, edge.y, edge.z});
@@ -28,23 +22,17 @@ double half_edge(BlobSeries const& series) {
 void check(BlobSeries const& series, ExchangeSettings const& settings) {
   require(series.molecules >= 4, "molecules", series.molecules, "at least 4 are needed");
   require(settings.blocks >= 4, "blocks of frames", settings.blocks, "must be at least 4");
-  require(series.frames() >= 16, "frames", series.frames(), "at least 16 are needed");
-  double const half = half_edge(series), interval = series.interval();
+  require(series.frames() >= 8 * settings.blocks, "frames", series.frames(),
+          fmt::format("at least {} are needed", 8 * settings.blocks));
+  double const interval = series.interval(), half = half_edge(series);
   for (std::size_t k = 1; k < series.frames(); ++k)
-    require(std::abs(series.times[k] - series.times[k - 1] - interval) < 1e-6 * interval, "interval of frames",
-            series.times[k] - series.times[k - 1], fmt::format("must be {:g} everywhere", interval));
-  require(settings.width > 0 && settings.width <= settings.cutoff, "bin width", settings.width,
-          "must be > 0 and at most the cut-off");
-  require(settings.cutoff > 0 && settings.cutoff < 0.9 * half, "cut-off", settings.cutoff,
+    require(std::abs(series.times[k] - series.times[k - 1] - interval) < 1e-6 * interval,
+            "interval of frames", series.times[k] - series.times[k - 1],
+            fmt::format("must be {:g} everywhere", interval));
+  require(settings.cutoff >= 0 && settings.cutoff < 0.9 * half, "cut-off", settings.cutoff,
           fmt::format("must be above 0 and below {:.4g}, so that there are molecules beyond it", 0.9 * half));
-  auto const [last, from, to] = lags_of(series, settings);
-  require(from >= 1 && to > from + 1 && to <= last, "lags of the slope",
-          fmt::format("{:g} ... {:g}", settings.from, settings.to),
-          fmt::format("must be at least {:g} (a frame) and two frames apart, up to the longest lag {:g}", interval,
-                      settings.longest));
-  require(series.frames() > settings.blocks * last, "longest lag", settings.longest,
-          fmt::format("must be below {:.4g}, the length of a block",
-                      interval * double(series.frames()) / double(settings.blocks)));
+  require(settings.width > 0 && settings.width <= half / 8, "bin width", settings.width,
+          fmt::format("must be above 0 and at most {:.4g}", half / 8));
 }
 
 /// Energies less their mean over all molecules and frames, each molecule's one after another in time.
@@ -56,6 +44,45 @@ std::vector<double> deviations(BlobSeries const& series) {
     for (std::size_t m = 0; m < N; ++m)
       dU[m * n + k] = series.U[k * N + m] - mean;
   return dU;
+}
+
+/// The lag in frames, not whole, at which a correlation has come to 1/e; the last one where it does not.
+double decay_lag(std::size_t lags, auto const& correlation) {
+  double const goal = correlation(0) / std::numbers::e;
+  for (std::size_t lag = 1; lag < lags; ++lag)
+    if (double const now = correlation(lag), before = correlation(lag - 1); now < goal)
+      return double(lag) - (goal - now) / (before - now);
+  return double(lags - 1);
+}
+
+/// The same of all molecules together, within a block.
+double rough_decay(BlobSeries const& series, std::vector<double> const& dU, std::size_t blocks) {
+  std::size_t const n = series.frames(), lags = n / blocks;
+  std::vector<double> sum(lags, 0.0);
+  for (std::size_t m = 0; m < series.molecules; ++m)
+    std::ranges::transform(sum, autocovariance(std::span(dU).subspan(m * n, n), lags - 1), sum.begin(),
+                           std::plus<>());
+  require(sum[0] > 0, "variance of the internal energies", sum[0], "must be > 0: these blobs have none");
+  return decay_lag(lags, [&](std::size_t lag) { return sum[lag]; });
+}
+
+Lags lags_of(BlobSeries const& series, ExchangeSettings const& settings, double decay) {
+  double const interval = series.interval();
+  auto const frames = [&](double time, double usual) {
+    return std::size_t(std::lround(time > 0 ? time / interval : usual));
+  };
+  Lags lags{0, frames(settings.from, 1), frames(settings.to, 0.4 * decay)};
+  require(settings.to > 0 || lags.to >= lags.from + 3, "interval of frames", interval,
+          fmt::format("must be at most {:.2g}, a tenth of the time in which internal energies decay",
+                      0.1 * decay * interval));
+  require(lags.to >= lags.from + 3, "lags of the parabolas",
+          fmt::format("{:g} ... {:g}", settings.from, settings.to),
+          fmt::format("must hold at least 4 frames, {:g} apart", interval));
+  lags.last = std::max(lags.to, frames(settings.longest, 2 * decay));
+  require(series.frames() > settings.blocks * lags.last, "longest lag", interval * double(lags.last),
+          fmt::format("must be below {:.4g}, the length of a block; make a longer run",
+                      interval * double(series.frames()) / double(settings.blocks)));
+  return lags;
 }
 
 /// The sums of one block of frames: rows of products at all lags, then what they are over; first each
@@ -89,27 +116,26 @@ struct Told {
   double mean(std::size_t row, std::size_t lag) const { return sums[row * (lags + 2) + lag] / count(row); }
   /// Without what strangers have in common.
   double net(std::size_t row, std::size_t lag) const { return mean(row, lag) - mean(Rows::strangers, lag); }
-  double slope(std::size_t row, Lags const& of, double interval) const {
+  /// At lag 0 of the parabola of least squares, per frame.
+  double slope(std::size_t row, Lags const& of) const {
     double const middle = 0.5 * double(of.from + of.to);
-    double up = 0, down = 0;
+    double m2 = 0, m4 = 0, y0 = 0, y1 = 0, y2 = 0,
+           n = 0; // x is from the middle on, so that odd moments vanish
     for (std::size_t lag = of.from; lag <= of.to; ++lag) {
-      double const x = double(lag) - middle;
-      up += x * net(row, lag), down += x * x;
+      double const x = double(lag) - middle, y = net(row, lag);
+      n += 1, m2 += x * x, m4 += x * x * x * x, y0 += y, y1 += x * y, y2 += x * x * y;
     }
-    return up / (down * interval);
+    double const curvature = (n * y2 - m2 * y0) / (n * m4 - m2 * m2);
+    return y1 / m2 - 2 * curvature * middle;
   }
-  /// When the own correlation has come to 1/e, not whole; the last lag where it does not.
   double decay() const {
-    double const goal = net(Rows::own, 0) / std::numbers::e;
-    for (std::size_t lag = 1; lag < lags; ++lag)
-      if (double const now = net(Rows::own, lag), before = net(Rows::own, lag - 1); now < goal)
-        return double(lag) - (goal - now) / (before - now);
-    return double(lags - 1);
+    return decay_lag(lags, [&](std::size_t lag) { return net(Rows::own, lag); });
   }
 };
 
 Sums sums_of_block(BlobSeries const& series, std::vector<double> const& dU, ExchangeSettings const& settings,
-                   std::size_t bins, std::size_t lags, std::pair<std::size_t, std::size_t> frames) {
+                   double cutoff, std::size_t bins, std::size_t lags,
+                   std::pair<std::size_t, std::size_t> frames) {
   std::size_t const N = series.molecules, n = series.frames();
   double const half = half_edge(series);
   Rows rows(lags, bins);
@@ -122,8 +148,9 @@ Sums sums_of_block(BlobSeries const& series, std::vector<double> const& dU, Exch
         double const r = norm(box.minimum_image(series.R[k * N + a] - series.R[k * N + b]));
         if (r >= half)
           continue;
-        std::size_t const row =
-            r >= settings.cutoff ? Rows::strangers : Rows::first_bin + std::min(bins - 1, std::size_t(r / settings.width));
+        std::size_t const row = r >= cutoff
+                                    ? Rows::strangers
+                                    : Rows::first_bin + std::min(bins - 1, std::size_t(r / settings.width));
         double const* const of_b = &dU[b * n + k];
         rows.add(row, of_a, of_b), rows.add(row, of_b, of_a);
         rows.add_distance(row, 2 * r);
@@ -146,28 +173,28 @@ std::vector<std::size_t> filled_rows(std::vector<Sums> const& blocks, std::size_
 
 EnergyExchange energy_exchange(BlobSeries const& series, ExchangeSettings const& settings) {
   check(series, settings);
-  auto const of = lags_of(series, settings);
-  std::size_t const lags = of.last + 1, bins = std::size_t(std::ceil(settings.cutoff / settings.width - 1e-9));
-  double const interval = series.interval();
   auto const dU = deviations(series);
+  auto const of = lags_of(series, settings, rough_decay(series, dU, settings.blocks));
+  double const interval = series.interval(),
+               cutoff = settings.cutoff > 0 ? settings.cutoff : 2 * half_edge(series) / 3;
+  std::size_t const lags = of.last + 1, bins = std::size_t(std::ceil(cutoff / settings.width - 1e-9));
   std::vector<Sums> blocks;
   for (auto const& frames : time_blocks(series.frames(), settings.blocks))
-    blocks.push_back(sums_of_block(series, dU, settings, bins, lags, frames));
+    blocks.push_back(sums_of_block(series, dU, settings, cutoff, bins, lags, frames));
   Sums all(blocks.front().size(), 0.0);
   for (auto const& block : blocks)
     std::ranges::transform(all, block, all.begin(), std::plus<>());
   Told const whole{all, lags};
-  require(whole.count(Rows::strangers) > 0, "cut-off", settings.cutoff, "leaves no molecules beyond it");
-  require(whole.net(Rows::own, 0) > 0, "variance of the internal energies", whole.net(Rows::own, 0),
-          "must be > 0: these blobs have none");
+  require(whole.count(Rows::strangers) > 0, "cut-off", cutoff, "leaves no molecules beyond it");
   auto const rows = filled_rows(blocks, lags, bins);
   auto const estimates = jackknife(blocks, [&](Sums const& sums) {
     Told const told{sums, lags};
-    std::vector<double> numbers{told.net(Rows::own, 0), told.decay() * interval, -told.slope(Rows::own, of, interval), 0};
+    std::vector<double> numbers{told.net(Rows::own, 0), told.decay() * interval,
+                                -told.slope(Rows::own, of) / interval, 0};
     for (std::size_t lag = 0; lag < lags; ++lag)
       numbers.push_back(told.net(Rows::own, lag) / told.net(Rows::own, 0));
     for (std::size_t const row : rows) {
-      double const flow = told.slope(row, of, interval);
+      double const flow = told.slope(row, of) / interval;
       numbers[3] += flow * told.count(row) / told.count(Rows::own);
       numbers.push_back(flow);
       for (std::size_t lag = 0; lag < lags; ++lag)
@@ -175,7 +202,16 @@ EnergyExchange energy_exchange(BlobSeries const& series, ExchangeSettings const&
     }
     return numbers;
   });
-  EnergyExchange found{.lag = {}, .variance = estimates[0], .own = {}, .decay = {}, .loss = estimates[2], .bins = {}, .gain = estimates[3]};
+  EnergyExchange found{.lag = {},
+                       .variance = estimates[0],
+                       .own = {},
+                       .decay = {},
+                       .from = double(of.from) * interval,
+                       .to = double(of.to) * interval,
+                       .cutoff = cutoff,
+                       .loss = estimates[2],
+                       .bins = {},
+                       .gain = estimates[3]};
   if (whole.decay() < double(of.last))
     found.decay = estimates[1];
   for (std::size_t lag = 0; lag < lags; ++lag) {
@@ -184,7 +220,10 @@ EnergyExchange energy_exchange(BlobSeries const& series, ExchangeSettings const&
   }
   auto next = estimates.begin() + std::ptrdiff_t(4 + lags);
   for (std::size_t const row : rows) {
-    EnergyExchange::Bin bin{.r = whole.distance(row), .neighbours = whole.count(row) / whole.count(Rows::own), .together = {}, .flow = *next++};
+    EnergyExchange::Bin bin{.r = whole.distance(row),
+                            .neighbours = whole.count(row) / whole.count(Rows::own),
+                            .together = {},
+                            .flow = *next++};
     bin.together.assign(next, next + std::ptrdiff_t(lags));
     next += std::ptrdiff_t(lags);
     found.bins.push_back(std::move(bin));

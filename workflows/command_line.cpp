@@ -123,16 +123,17 @@ bool parse(CLI::App& app, Words words, Command const& command) {
   return true;
 }
 
+bool is_watched() {
+  return std::getenv(reports_variable) != nullptr;
+}
+
+/// Who watches this process tells what it found.
 void print(Result const& result, bool json) {
-  if (result.silent)
+  if (result.silent || is_watched())
     return;
   print_text(json ? checked_dump(result.json) : result.text);
   if (!result.complaint.empty())
     throw EnvironmentError(result.complaint);
-}
-
-bool is_watched() {
-  return std::getenv(reports_variable) != nullptr;
 }
 
 /// The way to the process that watches this one; nothing where none does.

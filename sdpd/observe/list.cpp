@@ -5,6 +5,7 @@ namespace mesobridge::sdpd {
 // Each in a file of this folder.
 std::vector<Measurement> observed_sums();
 Measurement mean_neighbours();
+Measurement internal_energy_spread();
 Measurement compression_response();
 Measurement pressure_tensor();
 Measurement wall_pressure();
@@ -17,6 +18,7 @@ std::vector<Measurement> const& measurements() {
   static auto const all = [] {
     auto list = observed_sums();
     list.push_back(mean_neighbours());
+    list.push_back(internal_energy_spread());
     list.push_back(compression_response());
     list.push_back(pressure_tensor());
     list.push_back(wall_pressure());

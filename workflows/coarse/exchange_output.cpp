@@ -12,10 +12,8 @@ void add_point(Series& series, double x, cg::Estimate const& y) {
 }
 
 Figure decay_figure(cg::EnergyExchange const& found) {
-  Plot plot{.name = "decay",
-            .title = "Internal energy of one molecule",
-            .x = {.label = "t"},
-            .panels = {Panel{}}};
+  Plot plot{
+      .name = "decay", .title = "Internal energy of one molecule", .x = {.label = "t"}, .panels = {Panel{}}};
   Series own{.label = "", .x = {}, .y = {}, .y_error = {}};
   for (std::size_t lag = 0; lag < found.lag.size(); ++lag)
     add_point(own, found.lag[lag], found.own[lag]);
@@ -24,9 +22,9 @@ Figure decay_figure(cg::EnergyExchange const& found) {
   return {{draw_svg(plot)}, "Without what molecules far from each other have in common."};
 }
 
-Figure passing_figure(cg::EnergyExchange const& found, cg::ExchangeSettings const& settings) {
+Figure passing_figure(cg::EnergyExchange const& found) {
   Plot plot{.name = "passing",
-            .title = fmt::format("Energy that has come from a neighbour; slopes over {:g} ... {:g}", settings.from, settings.to),
+            .title = "Energy that has come from a neighbour",
             .x = {.label = "t"},
             .panels = {Panel{}}};
   std::size_t const step = std::max<std::size_t>(1, found.bins.size() / 6);
@@ -38,10 +36,15 @@ Figure passing_figure(cg::EnergyExchange const& found, cg::ExchangeSettings cons
   }
   plot.panels[0].y.label = "⟨δU_i(t)δU_j⟩";
   plot.panels[0].level_lines = {0};
-  return {{draw_svg(plot)}, "Of molecules i and j at the distance r at time 0."};
+  return {{draw_svg(plot)},
+          fmt::format("Of molecules i and j at the distance r at time 0. Their slopes at short times are "
+                      "those of parabolas over "
+                      "{:.3g} ... {:.3g}.",
+                      found.from, found.to)};
 }
 
-Figure conduction_figure(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows) {
+Figure conduction_figure(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
+                         cg::ConductionTable const& table) {
   Plot plot{.name = "conduction", .title = "Weight of conduction", .x = {.label = "r"}, .panels = {Panel{}}};
   Series flow{.label = "flow of energy", .x = {}, .y = {}, .y_error = {}},
       kappa{.label = "κ: the same and what friction takes", .x = {}, .y = {}, .y_error = {}};
@@ -49,7 +52,9 @@ Figure conduction_figure(cg::EnergyExchange const& found, std::vector<Conduction
     add_point(flow, bin.r, bin.flow);
   for (auto const& row : rows)
     add_point(kappa, row.r, row.kappa);
-  plot.panels[0].series = {flow, kappa};
+  Series const line{
+      .label = "table", .x = table.r, .y = table.kappa, .y_error = {}, .style = SeriesStyle::lines};
+  plot.panels[0].series = {flow, kappa, line};
   plot.panels[0].y.label = "κ(r)";
   plot.panels[0].level_lines = {0};
   return {{draw_svg(plot)}, ""};
@@ -57,14 +62,15 @@ Figure conduction_figure(cg::EnergyExchange const& found, std::vector<Conduction
 
 } // namespace
 
-std::string conduction_csv(std::vector<ConductionRow> const& rows, double cutoff) {
-  std::string text = fmt::format("r,kappa\n0,{:.10g}\n", rows.front().kappa.mean);
-  for (auto const& row : rows)
-    text += fmt::format("{:.10g},{:.10g}\n", row.r, row.kappa.mean);
-  return text + fmt::format("{:.10g},0\n", cutoff);
+std::string conduction_csv(cg::ConductionTable const& table) {
+  std::string text = "r,kappa\n";
+  for (std::size_t k = 0; k < table.r.size(); ++k)
+    text += fmt::format("{:.10g},{:.10g}\n", table.r[k], table.kappa[k]);
+  return text;
 }
 
-Json exchange_json(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows) {
+Json exchange_json(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
+                   cg::ConductionTable const& table) {
   Json json;
   put(json, "variance", found.variance);
   if (found.decay)
@@ -90,6 +96,7 @@ Json exchange_json(cg::EnergyExchange const& found, std::vector<ConductionRow> c
     json["kappa"].push_back(row.kappa.mean);
     json["kappa_se"].push_back(row.kappa.se);
   }
+  json["table"] = {{"r", table.r}, {"kappa", table.kappa}};
   return json;
 }
 
@@ -97,18 +104,19 @@ std::string exchange_text(cg::EnergyExchange const& found) {
   auto text = fmt::format("variance of U         {}\n", with_error_text(found.variance));
   text += found.decay ? fmt::format("U has lost 1 - 1/e    after {}\n", with_error_text(*found.decay))
                       : fmt::format("U has not lost 1 - 1/e by the longest lag, {:g}\n", found.lag.back());
-  return text + fmt::format("loss of one molecule  {}\ngain of neighbours    {}\n", with_error_text(found.loss),
-                            with_error_text(found.gain));
+  return text + fmt::format("loss of one molecule  {}\ngain of neighbours    {}\n",
+                            with_error_text(found.loss), with_error_text(found.gain));
 }
 
 Report exchange_report(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
-                       cg::ExchangeSettings const& settings, std::string const& name, std::string const& units) {
+                       cg::ConductionTable const& table, std::string const& name, std::string const& units) {
   Report report;
   report.title = "Exchange of energy in " + name;
-  report.lead = fmt::format("In units of {}: of what a molecule loses, {} a unit of time, its neighbours gain {}.", units,
-                            with_error_text(found.loss), with_error_text(found.gain));
+  report.lead =
+      fmt::format("In units of {}: of what a molecule loses, {} a unit of time, its neighbours gain {}.",
+                  units, with_error_text(found.loss), with_error_text(found.gain));
   report.sections = {{"Decay", {decay_figure(found)}},
-                     {"Exchange", {passing_figure(found, settings), conduction_figure(found, rows)}}};
+                     {"Exchange", {passing_figure(found), conduction_figure(found, rows, table)}}};
   return report;
 }
 

@@ -11,15 +11,15 @@ struct ConductionRow {
   cg::Estimate kappa;
 };
 
-/// Columns r and kappa, as scenes read them (conduction.file): the rows' means, from r = 0 on and up to the
-/// cut-off, where there is none.
-std::string conduction_csv(std::vector<ConductionRow> const& rows, double cutoff);
+/// Columns r and kappa, as scenes read them (conduction.file).
+std::string conduction_csv(cg::ConductionTable const& table);
 
-Json exchange_json(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows);
+Json exchange_json(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
+                   cg::ConductionTable const& table);
 std::string exchange_text(cg::EnergyExchange const& found);
 
 /// How energies decay and pass to neighbours, and the conduction that follows.
 Report exchange_report(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
-                       cg::ExchangeSettings const& settings, std::string const& name, std::string const& units);
+                       cg::ConductionTable const& table, std::string const& name, std::string const& units);
 
 } // namespace mesobridge::workflows

@@ -78,7 +78,7 @@ PotentialTrial try_potential(cg::PairPotential const& potential, CoarseStructure
       .potential = potential, .g = {target.width, found.g()}, .P = cg::estimate_mean(pressures)};
   trial.distance = trial.difference = cg::g_difference(target, trial.g);
   if (structure.P)
-    trial.distance += 0.01 * std::pow((trial.P.mean - *structure.P) / pressure_scale(structure), 2);
+    trial.distance += std::pow((trial.P.mean - *structure.P) / pressure_scale(structure), 2);
   return trial;
 }
 

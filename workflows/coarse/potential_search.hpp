@@ -31,7 +31,7 @@ struct PotentialTrial {
   cg::PairPotential potential;
   cg::RadialBins g;
   double difference = 0; ///< of the structures, cg::g_difference
-  /// What the search makes small: the same and, where P is kept, ((P - P_target)/scale)^2/100, the scale
+  /// What the search makes small: the same and, where P is kept, ((P - P_target)/scale)^2, the scale
   /// being the larger of |P_target| and density kT.
   double distance = 0;
   cg::Estimate P;

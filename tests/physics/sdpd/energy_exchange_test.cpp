@@ -8,7 +8,8 @@ namespace {
 
 constexpr double C = 30, gamma_par = 4.5, gamma_perp = 2, kappa = 12;
 
-/// DPDE particles that exchange heat by friction and by conduction, at equal intervals; m, r_c and k_BT are one.
+/// DPDE particles that exchange heat by friction and by conduction, at equal intervals; m, r_c and k_BT are
+/// one.
 cg::BlobSeries particles_that_conduct() {
   auto settings = dpde_fluid(C, 0.01, gamma_perp);
   settings.as<Dpde>().conduction = PowerFriction(kappa, 0, 1, 2);
@@ -16,7 +17,15 @@ cg::BlobSeries particles_that_conduct() {
   Simulation simulation(settings);
   simulation.draw_temperatures();
   simulation.advance(500);
-  cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1, .times = {}, .boxes = {}, .R = {}, .P = {}, .U = {}, .U_kin = {}};
+  cg::BlobSeries series{.molecules = simulation.size(),
+                        .atoms = 1,
+                        .mass = 1,
+                        .times = {},
+                        .boxes = {},
+                        .R = {},
+                        .P = {},
+                        .U = {},
+                        .U_kin = {}};
   for (int instant = 0; instant < 1200; ++instant) {
     simulation.advance(5);
     auto const now = simulation.snapshot();
@@ -32,13 +41,16 @@ cg::BlobSeries particles_that_conduct() {
 // (gamma_par + 2 gamma_perp) (1-r)^2 (k_BT)^2/2m (cg/README.md, Eq. (C41)).
 TEST(EnergyExchange, FindsTheConductionThatWasPutIn) {
   auto const series = particles_that_conduct();
-  auto const found = cg::energy_exchange(series, {.longest = 0.3, .from = 0.05, .to = 0.2, .cutoff = 1, .width = 0.125, .blocks = 12});
+  auto const found = cg::energy_exchange(
+      series, {.from = 0.05, .to = 0.4, .longest = 0.4, .cutoff = 1, .width = 0.125, .blocks = 12});
   int bins = 0, wrong = 0;
   for (auto const& bin : found.bins) {
     if (bin.neighbours < 0.2)
       continue;
-    double const weight = (1 - bin.r) * (1 - bin.r), put_in = (kappa - (gamma_par + 2 * gamma_perp) / 2) * weight;
-    EXPECT_TRUE(cg::agrees(bin.flow, put_in, 4)) << bin.r << ": " << bin.flow.mean << " +- " << bin.flow.se << ", not " << put_in;
+    double const weight = (1 - bin.r) * (1 - bin.r),
+                 put_in = (kappa - (gamma_par + 2 * gamma_perp) / 2) * weight;
+    EXPECT_TRUE(cg::agrees(bin.flow, put_in, 4))
+        << bin.r << ": " << bin.flow.mean << " +- " << bin.flow.se << ", not " << put_in;
     wrong += cg::agrees(bin.flow, kappa * weight, 4) ? 0 : 1;
     ++bins;
   }

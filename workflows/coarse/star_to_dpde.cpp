@@ -1,0 +1,155 @@
+#include "workflows/coarse/star_to_dpde.hpp"
+#include "md/error.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mesobridge::workflows {
+namespace {
+
+/// Words of a call, and options with their values.
+struct Call {
+  std::vector<std::string> words;
+
+  template <class Value>
+  Call& add(char const* option, Value const& value) {
+    words.emplace_back(option);
+    words.push_back(fmt::format("{}", value));
+    return *this;
+  }
+};
+
+/// What melts have in common, free or held.
+Call melt_call(char const* command, md::StarMeltSettings const& s, std::filesystem::path const& folder) {
+  Call call{{"md", command}};
+  call.add("--star", s.star.name()).add("--molecules", s.molecules).add("--rho", s.rho).add("--T", s.T);
+  call.add("--dt", s.dt).add("--equilibration-steps", s.equilibration_steps).add("--seed", s.seed);
+  return call.add("-o", folder.string());
+}
+
+std::int64_t frames_between(StarToDpdePlan const& plan) {
+  double const every = plan.melt.dt * double(plan.melt.sample_every); // as often as the melt's
+  return std::max<std::int64_t>(1, std::llround(every / plan.run_dt));
+}
+
+/// A multiple of the steps between two frames.
+std::int64_t run_steps(StarToDpdePlan const& plan) {
+  auto const every = frames_between(plan);
+  return every * std::max<std::int64_t>(1, std::llround(plan.run_time / (plan.run_dt * double(every))));
+}
+
+} // namespace
+
+StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) {
+  StarToDpdePlan plan;
+  auto& melt = plan.melt;
+  melt.molecules = 216, melt.dt = 0.004, melt.sample_every = 25, melt.seed = seed;
+  melt.sampling_steps = 75000;
+  if (preset == "standard")
+    melt.molecules = 512, melt.sampling_steps = 500000, plan.configurations = 12, plan.held_steps = 20000,
+    plan.run_time = 4000;
+  if (preset == "paper")
+    melt.molecules = 1000, melt.dt = 0.002, melt.sample_every = 50, melt.sampling_steps = 2000000,
+    plan.configurations = 24, plan.held_steps = 40000, plan.run_time = 10000;
+  return plan;
+}
+
+void check(StarToDpdePlan const& plan) {
+  md::check(plan.melt);
+  require(plan.configurations >= 4, "configurations of held centres", plan.configurations,
+          "must be at least 4 for standard errors");
+  require(plan.run_time > 0 && std::isfinite(plan.run_time), "time of the coarse run", plan.run_time,
+          "must be > 0");
+  double const side = std::cbrt(double(plan.melt.molecules));
+  require(std::abs(side - std::round(side)) < 1e-9, "molecules", plan.melt.molecules,
+          "must be a cube, such as 216 or 512: the coarse particles begin on a cubic lattice");
+}
+
+std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory) {
+  auto const in = [&](char const* name) { return directory / name; };
+  auto const text = [&](char const* name) { return (directory / name).string(); };
+  auto const& s = plan.melt;
+  auto const name = s.star.name();
+  auto melt = melt_call("star-melt", s, in("melt"));
+  melt.add("--sampling-steps", s.sampling_steps).add("--sample-every", s.sample_every);
+  auto held = melt_call("held-blobs", s, in("held"));
+  held.add("--sampling-steps", plan.held_steps).add("--configurations", plan.configurations);
+  Call potential{{"cg", "potential", text("melt/blobs.h5"), "--pressure", "--seed", std::to_string(s.seed),
+                  "-o", text("potential")}};
+  if (plan.cutoff)
+    potential.add("--cutoff", *plan.cutoff);
+  return {
+      {"melt of " + name + " stars", melt.words, in("melt/summary.json"), in("melt/star-melt.restart")},
+      {"molecules held at their centres", held.words, in("held/summary.json"), in("held/held-blobs.restart")},
+      {"motion of the molecules",
+       {"cg", "transport", text("melt/blobs.h5"), "-o", text("melt")},
+       in("melt/transport.json")},
+      {"potential", potential.words, in("potential/potential.csv")},
+      {"friction",
+       {"cg", "friction", text("held/held.h5"), "-o", text("friction")},
+       in("friction/friction.csv")},
+      {"exchange of energy",
+       {"cg", "exchange", text("melt/blobs.h5"), "--friction", text("friction/friction.csv"), "-o",
+        text("exchange")},
+       in("exchange/conduction.csv")},
+      {"model of a particle",
+       {"fit", "dpde", text("melt/blobs.h5"), "--potential", text("potential/potential.csv"), "--friction",
+        text("friction/friction.csv"), "--conduction", text("exchange/conduction.csv"), "-o", text("model")},
+       in("model") / (name + "-melt.toml")},
+  };
+}
+
+std::vector<Stage> run_stages(std::filesystem::path const& directory) {
+  auto const in = [&](char const* name) { return directory / name; };
+  auto const text = [&](char const* name) { return (directory / name).string(); };
+  return {
+      {"run of the particles",
+       {"run", text("scene.toml"), "-o", text("run")},
+       in("run/summary.json"),
+       in("run/scene.toml"),
+       {"--force"}},
+      {"motion of the particles",
+       {"cg", "transport", text("run"), "--beside", text("melt/transport.json")},
+       in("run/transport.json")},
+  };
+}
+
+std::string coarse_scene(StarToDpdePlan const& plan, double T) {
+  auto const& s = plan.melt;
+  double const mass = s.star.atoms(), spacing = std::cbrt(mass / s.rho);
+  auto const side = std::llround(std::cbrt(double(s.molecules)));
+  return fmt::format(R"(title = "{0} stars at rho = {1}, T = {2:.4g} as DPDE particles"
+units = "lj"
+
+[method]
+name = "dpde"
+
+[fluid]
+rho = {1}
+T = {2}
+
+[particles]
+N = {3}
+model = "model/{0}-melt.toml" # mass, S(U), potential, friction and conduction, measured
+
+[box]
+lattice = [{4}, {4}, {4}]
+
+[scheme]
+dt = "{5} tau"
+
+[run]
+equilibrate = {6}
+steps = {7}
+sample_every = {8}
+trajectory_every = {8}
+seed = {9}
+
+[series]
+every = {8}
+quantities = ["internal_energy_spread"]
+)",
+                     s.star.name(), s.rho, T, s.molecules, side, plan.run_dt,
+                     std::llround(20 * spacing / plan.run_dt), run_steps(plan), frames_between(plan), s.seed);
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,80 @@
+#include "fitting/particle_model_file.hpp"
+#include "workflows/coarse/star_to_dpde_report.hpp"
+#include "workflows/command/options.hpp"
+#include "workflows/folder_lock.hpp"
+#include "workflows/shared_options.hpp"
+#include "workflows/summary.hpp"
+#include "workflows/text_file.hpp"
+#include <CLI/CLI.hpp>
+
+namespace mesobridge::workflows {
+namespace {
+
+struct WorkflowStarToDpdeOptions {
+  std::string preset = "quick", star = "6-3";
+  std::optional<double> rho, T, cutoff;
+  std::optional<int> molecules, configurations;
+  std::optional<std::int64_t> sampling_steps, held_steps;
+};
+
+StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t seed) {
+  auto plan = star_to_dpde_plan(options.preset, seed);
+  auto& melt = plan.melt;
+  melt.star = md::star_of_name(options.star);
+  melt.rho = options.rho.value_or(melt.rho);
+  melt.T = options.T.value_or(melt.T);
+  melt.molecules = options.molecules.value_or(melt.molecules);
+  melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
+  plan.configurations = options.configurations.value_or(plan.configurations);
+  plan.held_steps = options.held_steps.value_or(plan.held_steps);
+  plan.cutoff = options.cutoff;
+  check(plan); // before anything is run
+  return plan;
+}
+
+/// The temperature at which the model was found.
+double temperature_of(std::filesystem::path const& model) {
+  auto const state = fitting::parse_particle_model(read_text_file(model), model.string()).state;
+  require(state.has_value(), "state of the model", model.string(), "must be there");
+  return state->T;
+}
+
+Result star_to_dpde(WorkflowStarToDpdeOptions const& options, Context const& context) {
+  std::uint64_t const seed = context.options.seed.value_or(1);
+  auto const plan = plan_of(options, seed);
+  auto const directory = context.output_directory("out/star-to-dpde");
+  FolderLock const lock(directory, context.command_line());
+  auto stages = model_stages(plan, directory);
+  make_stages(stages, directory / "stages.json", context);
+  auto const scene = coarse_scene(plan, temperature_of(stages.back().product));
+  write_text_file(directory / "scene.toml", scene);
+  auto const later = run_stages(directory);
+  stages.insert(stages.end(), later.begin(), later.end());
+  make_stages(stages, directory / "stages.json", context);
+  auto const kept = read_kept(plan, directory, context);
+  auto report = star_to_dpde_report(plan, directory, kept);
+  report.provenance = {context.command_line(), seed, scene, {}};
+  auto summary = star_to_dpde_summary(plan, kept);
+  summary["preset"] = options.preset;
+  return with_report(directory, std::move(summary), report.html());
+}
+
+void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
+  add_preset(app, options.preset, "quick (minutes), standard (an hour) or paper")->capture_default_str();
+  app.add_option("--star", options.star, "ARMS-BEADS (default 6-3)")->type_name("N-N");
+  app.add_option("--rho", options.rho, "Beads per sigma^3 (default 0.3)");
+  app.add_option("--T", options.T, "Temperature of the thermostat (default 1)");
+  app.add_option("--molecules", options.molecules, "Stars, and coarse particles; a cube such as 216");
+  app.add_option("--sampling-steps", options.sampling_steps, "Steps of the melt at constant energy");
+  app.add_option("--configurations", options.configurations, "Of held centres");
+  app.add_option("--held-steps", options.held_steps, "Steps that each of them is held");
+  app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
+}
+
+} // namespace
+
+Command::Action workflow_star_to_dpde_command(CLI::App& app) {
+  return with_options<WorkflowStarToDpdeOptions>(app, declare, star_to_dpde);
+}
+
+} // namespace mesobridge::workflows
