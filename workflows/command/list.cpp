@@ -85,7 +85,7 @@ std::vector<Command> commands() {
        .example = "mesobridge cg correlations out/melt/blobs.h5",
        .declare = cg_correlations_command},
       {.name = "cg transport",
-       .summary = "How fast molecules diffuse, by their displacements and velocities",
+       .summary = "How molecules, or the particles of a run, diffuse and flow: D, viscosity, beside others",
        .example = "mesobridge cg transport out/melt/blobs.h5",
        .declare = cg_transport_command},
       {.name = "cg potential",
