@@ -1,5 +1,6 @@
 #include "cg/diffusion.hpp"
 #include "cg/jackknife.hpp"
+#include "cg/own_motion.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -40,65 +41,19 @@ std::vector<double> squared_changes(std::vector<double> const& x, std::size_t la
   return result;
 }
 
-/// The way of each molecule from its first place, without the steps that all take together.
-std::vector<Vec3> unfolded(BlobSeries const& series) {
-  std::size_t const N = series.molecules;
-  std::vector<Vec3> ways(series.R.size());
-  for (std::size_t k = 1; k < series.frames(); ++k) {
-    auto const& box = series.boxes[k];
-    Vec3 together;
-    for (std::size_t m = 0; m < N; ++m) {
-      Vec3 const step = box.minimum_image(series.R[k * N + m] - series.R[(k - 1) * N + m]);
-      ways[k * N + m] = step;
-      together += step / double(N);
-    }
-    for (std::size_t m = 0; m < N; ++m)
-      ways[k * N + m] += ways[(k - 1) * N + m] - together;
-  }
-  return ways;
-}
-
-/// Likewise the velocities.
-std::vector<Vec3> own_velocities(BlobSeries const& series) {
-  std::size_t const N = series.molecules;
-  auto velocities = series.P;
-  for (std::size_t k = 0; k < series.frames(); ++k) {
-    Vec3 together;
-    for (std::size_t m = 0; m < N; ++m)
-      together += velocities[k * N + m] / double(N);
-    for (std::size_t m = 0; m < N; ++m)
-      velocities[k * N + m] = (velocities[k * N + m] - together) / series.mass;
-  }
-  return velocities;
-}
-
 void check(BlobSeries const& series, DiffusionSettings const& settings) {
   require(series.frames() >= 16, "frames", series.frames(), "at least 16 are needed for diffusion");
   require(series.molecules >= 4, "molecules", series.molecules, "at least 4 are needed for standard errors");
   require(settings.groups >= 4, "groups of molecules", settings.groups, "must be at least 4");
+  require_equal_intervals(series);
   double const interval = series.interval(), run = series.times.back() - series.times.front();
-  for (std::size_t k = 1; k < series.frames(); ++k)
-    require(std::abs(series.times[k] - series.times[k - 1] - interval) < 1e-6 * interval,
-            "interval of frames", series.times[k] - series.times[k - 1],
-            fmt::format("must be {:g} everywhere", interval));
   require(settings.longest == 0 || (settings.longest >= 4 * interval && settings.longest <= run),
           "longest lag", settings.longest,
           fmt::format("must be {:g} (4 frames) ... {:g} (the run)", 4 * interval, run));
   require(settings.viscosity >= 0 && std::isfinite(settings.viscosity), "viscosity", settings.viscosity,
           "must be >= 0 and finite");
-}
-
-/// Where no molecule comes near half round the box between two frames, none has come more than half.
-void check_steps(BlobSeries const& series, std::vector<Vec3> const& ways) {
-  std::size_t const N = series.molecules;
-  for (std::size_t k = 1; k < series.frames(); ++k)
-    for (std::size_t m = 0; m < N; ++m) {
-      Vec3 const step = ways[k * N + m] - ways[(k - 1) * N + m], edge = series.boxes[k].edge;
-      double const share =
-          std::max({std::abs(step.x) / edge.x, std::abs(step.y) / edge.y, std::abs(step.z) / edge.z});
-      require(share < 0.4, "step of a molecule between two frames, in edges of the box", share,
-              "must be below 0.4, or its way round the box is not known; write frames more often");
-    }
+  require(settings.viscosity_se >= 0 && std::isfinite(settings.viscosity_se), "error of the viscosity",
+          settings.viscosity_se, "must be >= 0 and finite");
 }
 
 /// Sums of one group: displacements of every lag, then velocities of every lag, then the number of molecules.
@@ -144,14 +99,15 @@ double decay_lag(Sums const& sums, std::size_t lags) {
 
 Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings) {
   check(series, settings);
-  auto const ways = unfolded(series);
-  check_steps(series, ways);
+  auto const ways = own_ways(series), velocities = own_velocities(series);
+  require_known_ways(series, ways);
+  require_moving(velocities);
   double const interval = series.interval();
   std::size_t const last = settings.longest > 0 ? std::size_t(std::lround(settings.longest / interval))
                                                 : std::max<std::size_t>(4, series.frames() / 10),
                     lags = last + 1;
   auto const groups =
-      sums_of_groups(series, ways, own_velocities(series), last, std::min(settings.groups, series.molecules));
+      sums_of_groups(series, ways, velocities, last, std::min(settings.groups, series.molecules));
   Sums all(2 * lags + 1, 0.0);
   for (auto const& group : groups)
     std::transform(group.begin(), group.end(), all.begin(), all.begin(), std::plus<>());
@@ -192,8 +148,10 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
     constexpr double of_cube = 2.837297;
     double const kT = settings.temperature > 0 ? settings.temperature : found.temperature.mean,
                  edge = std::cbrt(series.boxes.front().volume());
+    double const share = of_cube * kT / (6 * std::numbers::pi * settings.viscosity * edge);
     found.D_infinite = found.D;
-    found.D_infinite->mean += of_cube * kT / (6 * std::numbers::pi * settings.viscosity * edge);
+    found.D_infinite->mean += share;
+    found.D_infinite->se = std::hypot(found.D.se, share * settings.viscosity_se / settings.viscosity);
   }
   return found;
 }

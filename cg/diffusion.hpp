@@ -8,6 +8,7 @@ struct DiffusionSettings {
   double longest = 0;      ///< lag up to which displacements are followed; 0: a tenth of the run
   std::size_t groups = 16; ///< of molecules, whose spread is the error; 4 or more
   double viscosity = 0;    ///< of the fluid, for the correction of finite size; 0: none is made
+  double viscosity_se = 0; ///< its standard error, which adds to that of the corrected D
   double temperature = 0;  ///< k_B T of that correction; 0: that of the motion itself
 };
 
@@ -27,8 +28,8 @@ struct Diffusion {
 };
 
 /// Of the molecules of a series at equal intervals, all of one mass. Throws InputError for fewer than 16
-/// frames or 4 molecules, unequal intervals, settings out of range, or a step between two frames
-/// of 0.4 edges of the box or more, beyond which ways are not known.
+/// frames or 4 molecules, velocities that are all zero, unequal intervals, settings out of range, or a step
+/// between two frames of 0.4 edges of the box or more, beyond which ways are not known.
 Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings = {});
 
 } // namespace mesobridge::cg

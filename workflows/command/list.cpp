@@ -39,6 +39,7 @@ Command::Action run_command(CLI::App&);
 Command::Action workflow_lj_to_sdpd_command(CLI::App&);
 Command::Action trade_off_command(CLI::App&);
 Command::Action workflow_star_polymers_command(CLI::App&);
+Command::Action workflow_star_to_dpde_command(CLI::App&);
 Command::Action reproduce_command(CLI::App&);
 Command::Action check_command(CLI::App&);
 Command::Action bench_engine_command(CLI::App&);
@@ -90,7 +91,7 @@ std::vector<Command> commands() {
        .example = "mesobridge cg exchange out/melt/blobs.h5 --friction out/held/friction.csv",
        .declare = cg_exchange_command},
       {.name = "cg transport",
-       .summary = "How fast molecules diffuse, by their displacements and velocities",
+       .summary = "How molecules, or the particles of a run, diffuse and flow: D, viscosity, beside others",
        .example = "mesobridge cg transport out/melt/blobs.h5",
        .declare = cg_transport_command},
       {.name = "cg potential",
@@ -193,6 +194,10 @@ std::vector<Command> commands() {
        .summary = "Cost against accuracy of schemes and time steps for a scene; recommends one",
        .example = "mesobridge trade-off workflows/scenes/argon-1000K.toml --drift 1e-6/ps -o out/trade-off",
        .declare = trade_off_command},
+      {.name = "workflow star-to-dpde",
+       .summary = "From a melt of star polymers to a DPDE fluid in turn, and what it keeps of the molecules",
+       .example = "mesobridge workflow star-to-dpde --star 6-3 --rho 0.3 -o out/star-to-dpde",
+       .declare = workflow_star_to_dpde_command},
       {.name = "workflow star-polymers",
        .summary = "Chapter 3 of the thesis: melts and isolated stars, key approximation, entropy, report",
        .example = "mesobridge workflow star-polymers --star 4-5 --rho 0.2 0.4 -o out/star-polymers",

@@ -7,7 +7,7 @@
 namespace mesobridge::workflows {
 
 std::span<Source const> all_sources() {
-  static constexpr std::array<Source, 13> sources{{
+  static constexpr std::array<Source, 15> sources{{
       {"Dehnen and Aly 2012", "W. Dehnen, H. Aly",
        "Improving convergence in smoothed particle hydrodynamics simulations without pairing instability",
        "Mon. Not. R. Astron. Soc. 425, 1068-1082", 2012, "https://doi.org/10.1111/j.1365-2966.2012.21439.x"},
@@ -34,6 +34,10 @@ std::span<Source const> all_sources() {
       {"Kolafa and Nezbeda 1994", "J. Kolafa, I. Nezbeda",
        "The Lennard-Jones fluid: an accurate analytic and theoretically-based equation of state",
        "Fluid Phase Equilib. 100, 1-34", 1994, "https://doi.org/10.1016/0378-3812(94)80001-4"},
+      {"Palmer 1994", "B. J. Palmer",
+       "Transverse-current autocorrelation-function calculations of the shear viscosity for molecular "
+       "liquids",
+       "Phys. Rev. E 49, 359-366", 1994, "https://doi.org/10.1103/PhysRevE.49.359"},
       {"Shardlow 2003", "T. Shardlow", "Splitting for dissipative particle dynamics",
        "SIAM J. Sci. Comput. 24, 1267-1282", 2003, "https://doi.org/10.1137/S1064827501392879"},
       {"Thol et al. 2016", "M. Thol, G. Rutkai, A. Köster, R. Lustig, R. Span, J. Vrabec",
@@ -49,6 +53,10 @@ std::span<Source const> all_sources() {
        "Comput. Phys. Commun. 271, 108171", 2022, "https://doi.org/10.1016/j.cpc.2021.108171"},
       {"Wolff 2004", "U. Wolff", "Monte Carlo errors with less errors", "Comput. Phys. Commun. 156, 143-153",
        2004, "https://doi.org/10.1016/S0010-4655(03)00467-3"},
+      {"Yeh and Hummer 2004", "I.-C. Yeh, G. Hummer",
+       "System-size dependence of diffusion coefficients and viscosities from molecular dynamics simulations "
+       "with periodic boundary conditions",
+       "J. Phys. Chem. B 108, 15873-15879", 2004, "https://doi.org/10.1021/jp0477147"},
   }};
   return sources;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "cg/diffusion.hpp"
+#include "cg/viscosity.hpp"
 #include "workflows/command.hpp"
 #include "workflows/report/report.hpp"
 
@@ -10,7 +11,9 @@ namespace mesobridge::workflows {
 Json diffusion_json(cg::Diffusion const& found);
 std::string diffusion_text(cg::Diffusion const& found);
 
-/// Displacements over time, which level off at D, and the correlation of the velocities.
-Report diffusion_report(cg::Diffusion const& found, std::string const& name, std::string const& units);
+/// Displacements over time, which level off at D, the correlation of the velocities, and the viscosity where
+/// there is one.
+Report transport_report(cg::Diffusion const& found, std::optional<cg::Viscosity> const& viscosity,
+                        std::string const& name, std::string const& units);
 
 } // namespace mesobridge::workflows

@@ -1,7 +1,8 @@
-#include "workflows/star/diffusion_output.hpp"
+#include "workflows/transport/diffusion_output.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/summary.hpp"
+#include "workflows/transport/viscosity_output.hpp"
 #include <fmt/format.h>
 
 namespace mesobridge::workflows {
@@ -96,17 +97,25 @@ std::string diffusion_text(cg::Diffusion const& found) {
   if (found.D_infinite)
     text +=
         fmt::format("D_infinite  {}  (without the images of the box)\n", with_error_text(*found.D_infinite));
-  return text + fmt::format("k_B T       {}  (of the motion of the molecules)\n",
+  return text + fmt::format("T           {}  (of the motion; k_B T in reduced units)\n",
                             with_error_text(found.temperature));
 }
 
-Report diffusion_report(cg::Diffusion const& found, std::string const& name, std::string const& units) {
+Report transport_report(cg::Diffusion const& found, std::optional<cg::Viscosity> const& viscosity,
+                        std::string const& name, std::string const& units) {
   Report report;
-  report.title = "Diffusion of " + name;
+  report.title = "Diffusion and viscosity of " + name;
   report.lead =
-      fmt::format("In units of {}: D = {} from displacements{}.", units, with_error_text(found.D),
-                  found.D_velocity ? ", " + with_error_text(*found.D_velocity) + " from velocities" : "");
+      fmt::format("In units of {}: D = {} from displacements{}{}.", units, with_error_text(found.D),
+                  found.D_velocity ? ", " + with_error_text(*found.D_velocity) + " from velocities" : "",
+                  viscosity ? "; the shear viscosity is " + with_error_text(viscosity->eta) : "");
   report.sections = {{"Displacements", {displacements(found)}}, {"Velocities", {velocities(found)}}};
+  if (viscosity) {
+    report.sections.push_back(viscosity_section(*viscosity));
+    report.sources.push_back("Palmer 1994");
+  }
+  if (found.D_infinite)
+    report.sources.push_back("Yeh and Hummer 2004");
   return report;
 }
 
