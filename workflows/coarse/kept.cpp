@@ -23,23 +23,34 @@ std::optional<cg::Estimate> number_of(TransportResult const& of, std::string con
 cg::BlobSeries thinned(cg::BlobSeries series) {
   constexpr std::size_t most = 1000;
   std::size_t const stride = std::max<std::size_t>(1, series.frames() / most), N = series.molecules;
-  cg::BlobSeries few{.molecules = N, .atoms = series.atoms, .mass = series.mass, .times = {}, .boxes = {}, .R = {}, .P = {}, .U = {}, .U_kin = {}};
+  cg::BlobSeries few{.molecules = N,
+                     .atoms = series.atoms,
+                     .mass = series.mass,
+                     .times = {},
+                     .boxes = {},
+                     .R = {},
+                     .P = {},
+                     .U = {},
+                     .U_kin = {}};
   for (std::size_t k = 0; k < series.frames(); k += stride) {
     few.times.push_back(series.times[k]), few.boxes.push_back(series.boxes[k]);
-    few.R.insert(few.R.end(), series.R.begin() + std::ptrdiff_t(k * N), series.R.begin() + std::ptrdiff_t((k + 1) * N));
+    few.R.insert(few.R.end(), series.R.begin() + std::ptrdiff_t(k * N),
+                 series.R.begin() + std::ptrdiff_t((k + 1) * N));
   }
   return few;
 }
 
 /// The state of both fluids.
-void add_state(Kept& kept, Json const& melt, Json const& exchange, Json const& run) {
-  auto const add = [&](char const* key, char const* what, cg::Estimate const& molecules, cg::Estimate const& particles,
-                       double share) { kept.quantities.push_back({key, what, molecules, particles, share}); };
+void add_state(Kept& kept, double mass, Json const& melt, Json const& exchange, Json const& run) {
+  auto const add = [&](char const* key, char const* what, cg::Estimate const& molecules,
+                       cg::Estimate const& particles, double share) {
+    kept.quantities.push_back({key, what, molecules, particles, share});
+  };
   auto const T = estimate_in(melt, "T_kin");
   add("P", "pressure", estimate_in(melt, "P"), estimate_in(run, "P"), 0.02);
   add("T_kin", "temperature of the motion", T, estimate_in(run, "T_kin"), 0.003);
   add("T_int", "temperature of the internal energies", T, estimate_in(run, "T_int"), 0.003);
-  add("internal_energy", "mean internal energy", estimate_in(melt, "U_mean"), estimate_in(run, "e"), 0.01);
+  add("internal_energy", "mean internal energy", estimate_in(melt, "U_mean"), cg::scaled(estimate_in(run, "e"), mass), 0.01);
   auto const variance = estimate_in(exchange, "variance");
   double const spread = std::sqrt(variance.mean);
   add("internal_energy_spread", "its standard deviation", {spread, variance.se / (2 * spread)},
@@ -53,7 +64,8 @@ void add_motion(Kept& kept) {
   };
   for (auto const& [key, what, share] :
        {Of{"D", "diffusion, by displacements", 0.1}, Of{"D_velocity", "diffusion, by velocities", 0.1},
-        Of{"velocity_decay_time", "time in which velocities fall to 1/e", 0.1}, Of{"eta", "shear viscosity", 0.15}})
+        Of{"velocity_decay_time", "time in which velocities fall to 1/e", 0.1},
+        Of{"eta", "shear viscosity", 0.15}})
     if (auto const molecules = number_of(kept.molecules, key), particles = number_of(kept.particles, key);
         molecules && particles)
       kept.quantities.push_back({key, what, *molecules, *particles, share});
@@ -68,12 +80,14 @@ bool KeptQuantity::kept() const {
 
 Kept read_kept(StarToDpdePlan const& plan, std::filesystem::path const& directory, Context const& context) {
   try {
-    auto const melt = read_json(directory / "melt/summary.json"), run = read_json(directory / "run/summary.json");
+    auto const melt = read_json(directory / "melt/summary.json"),
+               run = read_json(directory / "run/summary.json");
     Kept kept;
-    add_state(kept, melt, read_json(directory / "exchange/exchange.json"), run);
+    add_state(kept, plan.melt.star.atoms(), melt, read_json(directory / "exchange/exchange.json"), run);
     kept.molecules = read_transport(directory / "melt"), kept.particles = read_transport(directory / "run");
     add_motion(kept);
-    kept.g_molecules = radial_estimate(thinned(series_of(read_blobs(directory / "melt/blobs.h5"))), bin_width);
+    kept.g_molecules =
+        radial_estimate(thinned(series_of(read_blobs(directory / "melt/blobs.h5"))), bin_width);
     kept.g_particles = radial_estimate(thinned(read_motion(directory / "run", context).series), bin_width);
     kept.g = structure_difference(kept.g_particles, kept.g_molecules);
     kept.gamma_self = estimate_in(read_json(directory / "friction/friction.json"), "gamma_self");
@@ -86,9 +100,11 @@ Kept read_kept(StarToDpdePlan const& plan, std::filesystem::path const& director
                           (molecules * run.at("dt").get<double>() * run.at("steps").get<double>());
     return kept;
   } catch (Json::exception const& error) {
-    throw InputError(fmt::format("'{}' holds results that are not whole: {}", directory.string(), error.what()));
+    throw InputError(
+        fmt::format("'{}' holds results that are not whole: {}", directory.string(), error.what()));
   } catch (std::out_of_range const&) {
-    throw InputError(fmt::format("'{}' does not say how long its stages took", (directory / "stages.json").string()));
+    throw InputError(
+        fmt::format("'{}' does not say how long its stages took", (directory / "stages.json").string()));
   }
 }
 

@@ -10,7 +10,8 @@ namespace mesobridge::workflows {
 namespace {
 
 /// A column of numbers of a JSON file, and of their errors where it has them.
-Series series_in(Json const& json, std::string label, char const* x, std::string const& y, SeriesStyle style) {
+Series series_in(Json const& json, std::string label, char const* x, std::string const& y,
+                 SeriesStyle style) {
   Series series{.label = std::move(label), .x = json.at(x), .y = json.at(y), .y_error = {}, .style = style};
   if (json.contains(y + "_se"))
     series.y_error = json.at(y + "_se").get<std::vector<double>>();
@@ -28,36 +29,49 @@ Series radial_series(RadialEstimate const& of, std::string label, SeriesStyle st
 }
 
 Figure structure_figure(Kept const& kept) {
-  Plot plot{.name = "structure", .title = "Radial distribution of the centres", .x = {.label = "r"}, .panels = {Panel{}}};
+  Plot plot{.name = "structure",
+            .title = "Radial distribution of the centres",
+            .x = {.label = "r"},
+            .panels = {Panel{}}};
   plot.panels[0].y.label = "g(r)";
   plot.panels[0].level_lines = {1};
   plot.panels[0].series = {radial_series(kept.g_molecules, "molecules", SeriesStyle::points),
                            radial_series(kept.g_particles, "particles", SeriesStyle::lines)};
   return {{draw_svg(plot)},
-          fmt::format("They differ by {} of g in the root mean square, where noise alone makes {}; by {} at most.",
-                      number_text(kept.g.share.mean, 2), number_text(kept.g.share.se, 2), number_text(kept.g.largest, 2))};
+          fmt::format(
+              "They differ by {} of g in the root mean square, where noise alone makes {}; by {} at most.",
+              number_text(kept.g.share.mean, 2), number_text(kept.g.share.se, 2),
+              number_text(kept.g.largest, 2))};
 }
 
 Figure laws_figure(std::filesystem::path const& directory) {
   auto const friction = read_json(directory / "friction/friction.json"),
              exchange = read_json(directory / "exchange/exchange.json");
-  Plot of_friction{.name = "friction", .title = "Friction of two molecules", .x = {.label = "r"}, .panels = {Panel{}}};
+  Plot of_friction{
+      .name = "friction", .title = "Friction of two molecules", .x = {.label = "r"}, .panels = {Panel{}}};
   of_friction.panels[0].y.label = "γ(r)";
   of_friction.panels[0].level_lines = {0};
   auto const& table = friction.at("table");
-  of_friction.panels[0].series = {series_in(friction, "along the line of centres", "r", "gamma_par", SeriesStyle::points),
-                                  series_in(friction, "across it", "r", "gamma_perp", SeriesStyle::points),
-                                  series_in(table, "along, as the particles have it", "r", "gamma_par", SeriesStyle::lines),
-                                  series_in(table, "across, likewise", "r", "gamma_perp", SeriesStyle::lines)};
-  Plot conduction{.name = "conduction", .title = "Conduction between two molecules", .x = {.label = "r"}, .panels = {Panel{}}};
+  of_friction.panels[0].series = {
+      series_in(friction, "along the line of centres", "r", "gamma_par", SeriesStyle::points),
+      series_in(friction, "across it", "r", "gamma_perp", SeriesStyle::points),
+      series_in(table, "along, as the particles have it", "r", "gamma_par", SeriesStyle::lines),
+      series_in(table, "across, likewise", "r", "gamma_perp", SeriesStyle::lines)};
+  Plot conduction{.name = "conduction",
+                  .title = "Conduction between two molecules",
+                  .x = {.label = "r"},
+                  .panels = {Panel{}}};
   conduction.panels[0].y.label = "κ(r)";
   conduction.panels[0].level_lines = {0};
   conduction.panels[0].series = {series_in(exchange, "", "r", "kappa", SeriesStyle::points)};
-  return {{draw_svg(of_friction), draw_svg(conduction)}, "Measured in the melt; nothing is adjusted to the run."};
+  return {{draw_svg(of_friction), draw_svg(conduction)},
+          "Measured in the melt; nothing is adjusted to the run."};
 }
 
 Table kept_table(Kept const& kept) {
-  Table table{.header = {"", "molecules", "particles", "difference", "in standard errors", "wanted within"}, .rows = {}, .caption = ""};
+  Table table{.header = {"", "molecules", "particles", "difference", "in standard errors", "wanted within"},
+              .rows = {},
+              .caption = ""};
   for (auto const& of : kept.quantities) {
     double const apart = of.particles.mean - of.molecules.mean;
     table.rows.push_back({of.what, with_error_text(of.molecules), with_error_text(of.particles),
@@ -71,35 +85,40 @@ Table kept_table(Kept const& kept) {
 std::vector<VerdictLine> verdicts_of(Kept const& kept) {
   std::vector<VerdictLine> lines;
   bool const same = kept.g.largest <= 0.02 || kept.g.largest_in_se <= 4;
-  lines.push_back({.what = "radial distribution",
-                   .found = fmt::format("apart by {} at most", number_text(kept.g.largest, 2)),
-                   .expected = "0",
-                   .verdict = same ? Verdict::passed : Verdict::failed,
-                   .deviation = fmt::format("{:.1f} se (the farthest of {})", kept.g.largest_in_se, kept.g.bins)});
+  lines.push_back(
+      {.what = "radial distribution",
+       .found = fmt::format("apart by {} at most", number_text(kept.g.largest, 2)),
+       .expected = "0",
+       .verdict = same ? Verdict::passed : Verdict::failed,
+       .deviation = fmt::format("{:.1f} se (the farthest of {})", kept.g.largest_in_se, kept.g.bins)});
   for (auto const& of : kept.quantities)
     lines.push_back({.what = of.what,
                      .found = with_error_text(of.particles),
                      .expected = with_error_text(of.molecules),
                      .verdict = of.kept() ? Verdict::passed : Verdict::failed,
                      .deviation = fmt::format("{:+.1f} se; wanted: {:g} %",
-                                              (of.particles.mean - of.molecules.mean) / std::hypot(of.molecules.se, of.particles.se),
+                                              (of.particles.mean - of.molecules.mean) /
+                                                  std::hypot(of.molecules.se, of.particles.se),
                                               100 * of.share)});
   return lines;
 }
 
 Section commands(StarToDpdePlan const& plan, std::filesystem::path const& directory) {
-  Section section{"How it was made", {Paragraph{"Each line can be typed as it stands, in the folder in which this one was called:"}}};
+  Section section{
+      "How it was made",
+      {Paragraph{"Each line can be typed as it stands, in the folder in which this one was called:"}}};
   auto stages = model_stages(plan, directory);
   auto const later = run_stages(directory);
   stages.insert(stages.end(), later.begin(), later.end());
   for (auto const& stage : stages)
     section.content.emplace_back(Paragraph{"`" + line_of(stage) + "`"});
-  section.content.emplace_back(Files{{{"melt/transport.html", "motion of the molecules"},
-                                      {"potential/potential.html", "the search for the potential"},
-                                      {"friction/friction.html", "running integrals of the frictions"},
-                                      {"exchange/exchange.html", "how energies pass from molecule to molecule"},
-                                      {"run/report.html", "the run of the particles"},
-                                      {"run/transport.html", "their motion"}}});
+  section.content.emplace_back(
+      Files{{{"melt/transport.html", "motion of the molecules"},
+             {"potential/potential.html", "the search for the potential"},
+             {"friction/friction.html", "running integrals of the frictions"},
+             {"exchange/exchange.html", "how energies pass from molecule to molecule"},
+             {"run/report.html", "the run of the particles"},
+             {"run/transport.html", "their motion"}}});
   return section;
 }
 
@@ -121,22 +140,26 @@ Json star_to_dpde_summary(StarToDpdePlan const& plan, Kept const& kept) {
   return json;
 }
 
-Report star_to_dpde_report(StarToDpdePlan const& plan, std::filesystem::path const& directory, Kept const& kept) {
+Report star_to_dpde_report(StarToDpdePlan const& plan, std::filesystem::path const& directory,
+                           Kept const& kept) {
   Report report;
   report.title = fmt::format("From a melt of {} stars to a DPDE fluid", plan.melt.star.name());
   report.lead = fmt::format(
-      "One particle for each molecule, at {} beads per σ^3. Mass, internal energy, potential, friction and conduction were "
+      "One particle for each molecule, at {} beads per σ^3. Mass, internal energy, potential, friction and "
+      "conduction were "
       "measured in the melt; the run shows what they keep of it. It costs {} times less than the molecules.",
       number_text(plan.melt.rho, 4), number_text(kept.speed_up(), 2));
   report.verdicts = verdicts_of(kept);
-  report.sections = {{"What is kept", {kept_table(kept), structure_figure(kept)}},
-                     beside_section(kept.particles, kept.molecules),
-                     {"What two particles do to each other", {laws_figure(directory)}},
-                     {"Cost",
-                      {Paragraph{fmt::format("Seconds on this machine for a molecule and a unit of time: {} by molecular dynamics, "
-                                             "{} by DPDE.",
-                                             number_text(kept.cost_molecules, 3), number_text(kept.cost_particles, 3))}}},
-                     commands(plan, directory)};
+  report.sections = {
+      {"What is kept", {kept_table(kept), structure_figure(kept)}},
+      beside_section(kept.particles, kept.molecules),
+      {"What two particles do to each other", {laws_figure(directory)}},
+      {"Cost",
+       {Paragraph{
+           fmt::format("Seconds on this machine for a molecule and a unit of time: {} by molecular dynamics, "
+                       "{} by DPDE.",
+                       number_text(kept.cost_molecules, 3), number_text(kept.cost_particles, 3))}}},
+      commands(plan, directory)};
   return report;
 }
 

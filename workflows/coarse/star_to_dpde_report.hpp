@@ -8,6 +8,7 @@ namespace mesobridge::workflows {
 Json star_to_dpde_summary(StarToDpdePlan const& plan, Kept const& kept);
 
 /// The report but for its provenance.
-Report star_to_dpde_report(StarToDpdePlan const& plan, std::filesystem::path const& directory, Kept const& kept);
+Report star_to_dpde_report(StarToDpdePlan const& plan, std::filesystem::path const& directory,
+                           Kept const& kept);
 
 } // namespace mesobridge::workflows

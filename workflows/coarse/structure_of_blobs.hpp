@@ -10,7 +10,8 @@ namespace mesobridge::workflows {
 /// for isolated molecules, or a box of another size in each frame.
 CoarseStructure structure_of(BlobData const& data, double width);
 
-/// k_B T of the centres of mass, whose motion together is taken out. Throws InputError where they are at rest.
+/// k_B T of the centres of mass, whose motion together is taken out. Throws InputError where they are at
+/// rest.
 double kT_of(BlobData const& data);
 
 /// Beyond which g stays within 0.02 of one.

@@ -6,14 +6,14 @@
 namespace mesobridge::sdpd {
 namespace {
 
-constexpr double C = 30, gamma_par = 4.5, gamma_perp = 2, kappa = 12;
+constexpr double C = 30, gamma_par = 4.5, gamma_perp = 8, kappa = 20; // gamma_par is the fixture's
 
 /// DPDE particles that exchange heat by friction and by conduction, at equal intervals; m, r_c and k_BT are
 /// one.
 cg::BlobSeries particles_that_conduct() {
   auto settings = dpde_fluid(C, 0.01, gamma_perp);
   settings.as<Dpde>().conduction = PowerFriction(kappa, 0, 1, 2);
-  settings.threads = 2;
+  settings.lattice = {7, 7, 7};
   Simulation simulation(settings);
   simulation.draw_temperatures();
   simulation.advance(500);
@@ -26,10 +26,10 @@ cg::BlobSeries particles_that_conduct() {
                         .P = {},
                         .U = {},
                         .U_kin = {}};
-  for (int instant = 0; instant < 1200; ++instant) {
-    simulation.advance(5);
+  for (int instant = 0; instant < 5000; ++instant) {
+    simulation.advance(1);
     auto const now = simulation.snapshot();
-    series.times.push_back(0.05 * instant);
+    series.times.push_back(0.01 * instant);
     series.boxes.push_back(simulation.box());
     series.R.insert(series.R.end(), now.q.begin(), now.q.end());
     series.U.insert(series.U.end(), now.eps.begin(), now.eps.end());
@@ -42,7 +42,7 @@ cg::BlobSeries particles_that_conduct() {
 TEST(EnergyExchange, FindsTheConductionThatWasPutIn) {
   auto const series = particles_that_conduct();
   auto const found = cg::energy_exchange(
-      series, {.from = 0.05, .to = 0.4, .longest = 0.4, .cutoff = 1, .width = 0.125, .blocks = 12});
+      series, {.from = 0.01, .to = 0.12, .longest = 0.12, .cutoff = 1, .width = 0.125, .blocks = 12});
   int bins = 0, wrong = 0;
   for (auto const& bin : found.bins) {
     if (bin.neighbours < 0.2)

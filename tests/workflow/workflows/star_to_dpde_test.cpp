@@ -1,0 +1,136 @@
+#include "program.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/coarse/star_to_dpde.hpp"
+#include "workflows/coarse/structure_comparison.hpp"
+#include "workflows/json_file.hpp"
+#include "workflows/text_file.hpp"
+#include <gtest/gtest.h>
+#include <random>
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::program, tests::ScratchDirectory;
+
+std::vector<std::string> small_chain(ScratchDirectory const& scratch) {
+  return {"workflow",
+          "star-to-dpde",
+          "--star",
+          "4-1",
+          "--rho",
+          "0.5",
+          "--molecules",
+          "125",
+          "--sampling-steps",
+          "20000",
+          "--configurations",
+          "4",
+          "--held-steps",
+          "6000",
+          "--ranks",
+          "1",
+          "--threads",
+          "1",
+          "-o",
+          scratch.path().string(),
+          "--json",
+          "--quiet"};
+}
+
+// All stages of a small melt: what is written, that it is not made twice, and that a lost stage is made
+// again.
+TEST(StarToDpde, AMeltBecomesAFluidAndIsComparedWithIt) {
+  ScratchDirectory const scratch;
+  auto const result = program(small_chain(scratch));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const json = Json::parse(result.output);
+  for (char const* const key : {"diffusion", "P", "T_kin", "T_int"})
+    for (char const* const of : {"_md", "_dpde", "_md_se", "_dpde_se"})
+      EXPECT_TRUE(json.contains(std::string(key) + of)) << key << of;
+  for (char const* const key : {"gamma_self", "gamma_self_se", "g_deviation", "g_deviation_se", "speed_up"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_GT(json["gamma_self"], 1);
+  EXPECT_NEAR(json["T_kin_dpde"].get<double>() / json["T_kin_md"].get<double>(), 1, 0.02);
+  auto const html = read_text_file(scratch / "report.html");
+  for (char const* const part : {"md held-blobs", "cg friction", "Velocit", "Radial distribution"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+
+  auto const of_melt = std::filesystem::last_write_time(scratch / "melt/blobs.h5");
+  std::filesystem::remove(scratch / "friction/friction.csv");
+  auto const again = program(small_chain(scratch));
+  ASSERT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(std::filesystem::last_write_time(scratch / "melt/blobs.h5"), of_melt);
+  auto const twice = Json::parse(again.output);
+  for (char const* const key : {"diffusion_dpde", "P_dpde", "gamma_self", "g_deviation"})
+    EXPECT_EQ(twice[key], json[key]) << key;
+}
+
+TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
+  struct Case {
+    std::vector<std::string> words;
+    std::string message;
+  };
+  std::vector<Case> const cases{{{"--molecules", "100"}, "must be a cube"},
+                                {{"--configurations", "3"}, "at least 4"},
+                                {{"--star", "6"}, "6"},
+                                {{"--rho", "0.9"}, "density rho"},
+                                {{"--held-steps", "0"}, "held"},
+                                {{"--T", "-1"}, "temperature T"}};
+  int refused = 0;
+  for (auto const& [words, message] : cases) {
+    ScratchDirectory const scratch;
+    std::vector<std::string> call{"workflow", "star-to-dpde", "-o", (scratch / "out").string()};
+    call.insert(call.end(), words.begin(), words.end());
+    auto const result = program(call);
+    EXPECT_EQ(result.status, 2) << words[0] << result.errors;
+    EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 6);
+}
+
+TEST(Stages, AreLinesForAShell) {
+  EXPECT_EQ(line_of({.title = "", .words = {"run", "a b/scene.toml", "-o", "it's"}, .product = ""}),
+            "mesobridge run 'a b/scene.toml' -o 'it'\\''s'");
+}
+
+/// Points that know nothing of each other, whose g is 1.
+cg::BlobSeries ideal_points(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(0, 8);
+  cg::BlobSeries series{.molecules = 200,
+                        .atoms = 1,
+                        .mass = 1,
+                        .times = {},
+                        .boxes = {},
+                        .R = {},
+                        .P = {},
+                        .U = {},
+                        .U_kin = {}};
+  Box box;
+  box.edge = {8, 8, 8};
+  for (int frame = 0; frame < 160; ++frame) {
+    series.times.push_back(frame), series.boxes.push_back(box);
+    for (int point = 0; point < 200; ++point)
+      series.R.push_back({place(generator), place(generator), place(generator)});
+  }
+  return series;
+}
+
+// Two samples of one fluid differ by what their errors say, and by no more; a shift of 5 % is seen.
+TEST(StructureComparison, KnowsWhatNoiseMakes) {
+  auto const a = radial_estimate(ideal_points(1), 0.25);
+  auto b = radial_estimate(ideal_points(2), 0.25);
+  auto const same = structure_difference(a, b);
+  EXPECT_EQ(same.bins, 16u);
+  EXPECT_LT(same.share.mean, 2 * same.share.se);
+  EXPECT_GT(same.share.mean, 0.4 * same.share.se);
+  EXPECT_LT(same.largest_in_se, 5);
+  for (auto& g : b.g)
+    g.mean *= 1.05;
+  EXPECT_GT(structure_difference(a, b).share.mean, 4 * same.share.se);
+  EXPECT_NEAR(structure_difference(a, b).share.mean, 0.05, 0.02);
+}
+
+} // namespace
+} // namespace mesobridge::workflows
