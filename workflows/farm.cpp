@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/ranges.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -59,6 +60,7 @@ class RunningChild {
   int reports() const { return reports_.number(); }
   /// The work done so far, by the last report.
   double done() const { return done_ * run_->work; }
+  double processor_seconds() const { return processor_seconds_; } ///< once it has ended
   void ask_to_stop() const { kill(process_, SIGINT); }
 
   void take_reports() {
@@ -70,9 +72,14 @@ class RunningChild {
   }
 
   /// Its wait status once it has ended.
-  std::optional<int> ended() const {
+  std::optional<int> ended() {
     int status = 0;
-    pid_t const process = waitpid(process_, &status, WNOHANG);
+    rusage usage{};
+    pid_t const process = wait4(process_, &status, WNOHANG, &usage);
+    auto const seconds = [](timeval const& time) {
+      return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+    };
+    processor_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     if (process < 0 && errno != EINTR)
       throw EnvironmentError(
           fmt::format("the process of '{}' was lost: {}", fmt::join(run_->argv, " "), std::strerror(errno)));
@@ -92,7 +99,7 @@ class RunningChild {
   pid_t process_;
   Descriptor reports_;
   std::string text_;
-  double done_ = 0;
+  double done_ = 0, processor_seconds_ = 0;
 };
 
 class Farm {
@@ -145,9 +152,11 @@ class Farm {
     auto const status = child.ended();
     if (!status)
       return false;
-    if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0)
+    if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) {
       ++ended_, work_ended_ += child.run().work;
-    else
+      if (child.run().ended)
+        child.run().ended(child.processor_seconds());
+    } else
       note(failure_of(child.run(), *status));
     return true;
   }

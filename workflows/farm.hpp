@@ -6,8 +6,9 @@ namespace mesobridge::workflows {
 
 /// A call of this program, or of another, that is made as a process of its own on one core.
 struct FarmedRun {
-  std::vector<std::string> argv; ///< argv[0] is the program; it must print no result
-  double work = 0;               ///< > 0, in the same unit for all: the most work is begun first
+  std::vector<std::string> argv;          ///< argv[0] is the program; it must print no result
+  double work = 0;                        ///< > 0, in the same unit for all: the most work is begun first
+  std::function<void(double)> ended = {}; ///< told the processor time that it took [s], once it has done well
 };
 
 /// Whether independent runs end sooner as processes of one core each than one after the other on all cores.

@@ -50,7 +50,8 @@ void add_state(Kept& kept, double mass, Json const& melt, Json const& exchange, 
   add("P", "pressure", estimate_in(melt, "P"), estimate_in(run, "P"), 0.02);
   add("T_kin", "temperature of the motion", T, estimate_in(run, "T_kin"), 0.003);
   add("T_int", "temperature of the internal energies", T, estimate_in(run, "T_int"), 0.003);
-  add("internal_energy", "mean internal energy", estimate_in(melt, "U_mean"), cg::scaled(estimate_in(run, "e"), mass), 0.01);
+  add("internal_energy", "mean internal energy", estimate_in(melt, "U_mean"),
+      cg::scaled(estimate_in(run, "e"), mass), 0.01);
   auto const variance = estimate_in(exchange, "variance");
   double const spread = std::sqrt(variance.mean);
   add("internal_energy_spread", "its standard deviation", {spread, variance.se / (2 * spread)},

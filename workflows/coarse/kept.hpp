@@ -21,7 +21,7 @@ struct Kept {
   StructureDifference g;
   TransportResult molecules, particles;
   cg::Estimate gamma_self;
-  double cost_molecules = 0, cost_particles = 0; ///< seconds of all cores for a molecule and unit of time
+  double cost_molecules = 0, cost_particles = 0; ///< processor time for a molecule and unit of time [s]
   double speed_up() const { return cost_molecules / cost_particles; }
 };
 

@@ -2,22 +2,25 @@
 #include "md/error.hpp"
 #include "workflows/farm.hpp"
 #include "workflows/json_file.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/summary.hpp"
-#include <chrono>
+#include <algorithm>
 #include <fmt/ranges.h>
+#include <span>
+#include <utility>
 
 namespace mesobridge::workflows {
 namespace {
 
-/// What earlier calls have left: the stages that are done, each with its line and seconds, and the line of
-/// the one that was begun.
+/// What earlier calls have left: the stages that are done, each with its line and seconds, and the lines of
+/// those that were begun after them.
 Json read_journal(std::filesystem::path const& file) {
-  Json const nothing{{"done", Json::array()}, {"begun", ""}};
+  Json const nothing{{"done", Json::array()}, {"begun", Json::array()}};
   if (!std::filesystem::exists(file))
     return nothing;
   auto journal = read_json(file);
-  return journal.contains("done") && journal["done"].is_array() && journal.contains("begun") ? journal
-                                                                                             : nothing;
+  auto const has = [&](char const* key) { return journal.contains(key) && journal[key].is_array(); };
+  return has("done") && has("begun") ? journal : nothing;
 }
 
 std::string quoted_word(std::string const& word) {
@@ -32,18 +35,36 @@ std::string quoted_word(std::string const& word) {
   return text + "'";
 }
 
-void make(Stage const& stage, bool goes_on, Context const& context) {
+FarmedRun run_of(Stage const& stage, bool goes_on, Context const& context) {
   FarmedRun run{{"/proc/self/exe"}, 1}; // whatever has become of the program's file
   run.argv.insert(run.argv.end(), stage.words.begin(), stage.words.end());
   if (goes_on && !stage.begun.empty() && std::filesystem::exists(stage.begun))
     run.argv.emplace_back("--resume");
   else
     run.argv.insert(run.argv.end(), stage.afresh.begin(), stage.afresh.end());
+  if (auto const threads = context.options.threads; threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
+    run.argv.insert(run.argv.end(), {"--threads", std::to_string(*threads)});
   run.argv.emplace_back("--quiet");
-  farm(stage.title, {run}, 1, context);
-  if (!std::filesystem::exists(stage.product))
-    throw EnvironmentError(
-        fmt::format("'{}' has ended without '{}'", line_of(stage), stage.product.string()));
+  return run;
+}
+
+/// Makes stages that do not need each other; their lines with the seconds that they took.
+Json make(std::span<Stage const> stages, Json const& begun, Context const& context) {
+  Json done = Json::array();
+  std::vector<FarmedRun> runs;
+  for (auto const& stage : stages) {
+    auto const line = line_of(stage);
+    bool const goes_on = std::ranges::any_of(begun, [&](Json const& one) { return one == line; });
+    done.push_back({{"line", line}, {"seconds", 0.0}});
+    runs.push_back(run_of(stage, goes_on, context));
+    runs.back().ended = [&done, k = done.size() - 1](double seconds) { done[k]["seconds"] = seconds; };
+  }
+  farm(stages.front().title, std::move(runs), ranks_of(context), context);
+  for (auto const& stage : stages)
+    if (!std::filesystem::exists(stage.product))
+      throw EnvironmentError(
+          fmt::format("'{}' has ended without '{}'", line_of(stage), stage.product.string()));
+  return done;
 }
 
 } // namespace
@@ -57,7 +78,8 @@ std::string line_of(Stage const& stage) {
 
 std::map<std::string, double> stage_seconds(std::filesystem::path const& journal) {
   std::map<std::string, double> seconds;
-  for (auto const& stage : read_journal(journal)["done"])
+  auto const left = read_journal(journal);
+  for (auto const& stage : left["done"])
     seconds[stage.value("line", "")] = stage.value("seconds", 0.0);
   return seconds;
 }
@@ -72,15 +94,17 @@ void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& 
          std::filesystem::exists(stages[first].product))
     ++first;
   done.erase(done.begin() + std::ptrdiff_t(first), done.end());
-  for (std::size_t k = first; k < stages.size(); ++k) {
-    auto const line = line_of(stages[k]);
-    bool const goes_on = left["begun"] == line;
-    left["begun"] = line;
+  for (std::size_t end = first; first < stages.size(); first = end) {
+    for (end = first + 1; end < stages.size() && stages[end - 1].beside_next;)
+      ++end;
+    auto const now = std::span(stages).subspan(first, end - first);
+    auto const begun = std::exchange(left["begun"], Json::array());
+    for (auto const& stage : now)
+      left["begun"].push_back(line_of(stage));
     write_summary(journal, left);
-    auto const start = std::chrono::steady_clock::now();
-    make(stages[k], goes_on, context);
-    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    done.push_back({{"line", line}, {"seconds", seconds}}), left["begun"] = "";
+    for (auto& stage : make(now, begun, context))
+      done.push_back(std::move(stage));
+    left["begun"] = Json::array();
   }
   write_summary(journal, left);
 }

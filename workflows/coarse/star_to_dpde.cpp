@@ -23,7 +23,7 @@ Call melt_call(char const* command, md::StarMeltSettings const& s, std::filesyst
   Call call{{"md", command}};
   call.add("--star", s.star.name()).add("--molecules", s.molecules).add("--rho", s.rho).add("--T", s.T);
   call.add("--dt", s.dt).add("--equilibration-steps", s.equilibration_steps).add("--seed", s.seed);
-  return call.add("-o", folder.string());
+  return call.add("--ranks", 1).add("-o", folder.string()); // two such runs at once lose nothing to waiting
 }
 
 std::int64_t frames_between(StarToDpdePlan const& plan) {
@@ -78,7 +78,12 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
   if (plan.cutoff)
     potential.add("--cutoff", *plan.cutoff);
   return {
-      {"melt of " + name + " stars", melt.words, in("melt/summary.json"), in("melt/star-melt.restart")},
+      {"melt of " + name + " stars, free and held",
+       melt.words,
+       in("melt/summary.json"),
+       in("melt/star-melt.restart"),
+       {},
+       true},
       {"molecules held at their centres", held.words, in("held/summary.json"), in("held/held-blobs.restart")},
       {"motion of the molecules",
        {"cg", "transport", text("melt/blobs.h5"), "-o", text("melt")},
@@ -103,7 +108,7 @@ std::vector<Stage> run_stages(std::filesystem::path const& directory) {
   auto const text = [&](char const* name) { return (directory / name).string(); };
   return {
       {"run of the particles",
-       {"run", text("scene.toml"), "-o", text("run")},
+       {"run", text("scene.toml"), "--threads", "1", "-o", text("run")},
        in("run/summary.json"),
        in("run/scene.toml"),
        {"--force"}},
@@ -117,6 +122,7 @@ std::string coarse_scene(StarToDpdePlan const& plan, double T) {
   auto const& s = plan.melt;
   double const mass = s.star.atoms(), spacing = std::cbrt(mass / s.rho);
   auto const side = std::llround(std::cbrt(double(s.molecules)));
+  bool const small = s.star.atoms() < 12; // whose energies come near the end of S(U) by chance
   return fmt::format(R"(title = "{0} stars at rho = {1}, T = {2:.4g} as DPDE particles"
 units = "lj"
 
@@ -135,6 +141,8 @@ model = "model/{0}-melt.toml" # mass, S(U), potential, friction and conduction, 
 lattice = [{4}, {4}, {4}]
 
 [scheme]
+name = "{10}"
+conservative = "mclachlan"
 dt = "{5} tau"
 
 [run]
@@ -149,7 +157,8 @@ every = {8}
 quantities = ["internal_energy_spread"]
 )",
                      s.star.name(), s.rho, T, s.molecules, side, plan.run_dt,
-                     std::llround(20 * spacing / plan.run_dt), run_steps(plan), frames_between(plan), s.seed);
+                     std::llround(20 * spacing / plan.run_dt), run_steps(plan), frames_between(plan), s.seed,
+                     small ? "ems" : "ssa");
 }
 
 } // namespace mesobridge::workflows

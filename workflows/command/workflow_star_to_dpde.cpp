@@ -12,9 +12,9 @@ namespace {
 
 struct WorkflowStarToDpdeOptions {
   std::string preset = "quick", star = "6-3";
-  std::optional<double> rho, T, cutoff;
+  std::optional<double> rho, T, cutoff, run_time;
   std::optional<int> molecules, configurations;
-  std::optional<std::int64_t> sampling_steps, held_steps;
+  std::optional<std::int64_t> sampling_steps, sample_every, held_steps;
 };
 
 StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t seed) {
@@ -24,9 +24,11 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
   melt.rho = options.rho.value_or(melt.rho);
   melt.T = options.T.value_or(melt.T);
   melt.molecules = options.molecules.value_or(melt.molecules);
+  melt.sample_every = options.sample_every.value_or(melt.sample_every);
   melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
   plan.configurations = options.configurations.value_or(plan.configurations);
   plan.held_steps = options.held_steps.value_or(plan.held_steps);
+  plan.run_time = options.run_time.value_or(plan.run_time);
   plan.cutoff = options.cutoff;
   check(plan); // before anything is run
   return plan;
@@ -66,8 +68,12 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
   app.add_option("--T", options.T, "Temperature of the thermostat (default 1)");
   app.add_option("--molecules", options.molecules, "Stars, and coarse particles; a cube such as 216");
   app.add_option("--sampling-steps", options.sampling_steps, "Steps of the melt at constant energy");
+  app.add_option(
+      "--sample-every", options.sample_every,
+      "Steps between its frames, as long as a tenth of the decay of internal energies at most (default 25)");
   app.add_option("--configurations", options.configurations, "Of held centres");
   app.add_option("--held-steps", options.held_steps, "Steps that each of them is held");
+  app.add_option("--run-time", options.run_time, "Of the coarse fluid (default 1000)");
   app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
 }
 

@@ -46,7 +46,7 @@ Result sampled(Job job, StarOptions const& options, std::string const& folder,
   auto& s = job.settings;
   s.star = md::star_of_name(options.star);
   s.seed = context.options.seed.value_or(s.seed);
-  md::check(s); // before any rank starts: bad input is told once
+  check(s); // before any rank starts: bad input is told once
   s.directory = context.output_directory(folder);
   job.resume = options.resume;
   std::vector<std::filesystem::path> files{job.blobs(), job.summary(), s.restart_file(), s.log_file()};
