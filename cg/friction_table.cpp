@@ -14,7 +14,8 @@ namespace {
 constexpr double stiffness = 1e-4;
 constexpr std::size_t points_of_a_bin = 5;
 
-/// Cubic B-splines over [first, cutoff], without those that do not vanish, with their slope, at the cut-off.
+/// Cubic B-splines over [first, cutoff], without those that do not vanish, with their slope, at the cut-off;
+/// the first two are one, which has no slope at the first point.
 class Splines {
  public:
   Splines(double first, double cutoff, double knots)
@@ -23,11 +24,14 @@ class Splines {
         cutoff_(cutoff) {
     gsl_bspline_knots_uniform(first, cutoff, workspace_.get());
   }
-  std::size_t size() const { return values_->size - 2; }
+  std::size_t size() const { return values_->size - 3; }
   /// All at r; before the first point as there.
   std::vector<double> operator()(double r) const {
     gsl_bspline_eval(std::clamp(r, first_, cutoff_), values_.get(), workspace_.get());
-    return {values_->data, values_->data + size()};
+    double const* const all = values_->data;
+    std::vector<double> values(all + 1, all + 1 + size());
+    values[0] += all[0];
+    return values;
   }
 
  private:

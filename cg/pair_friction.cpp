@@ -42,8 +42,9 @@ std::size_t bins_of(std::vector<HeldConfiguration> const& all, double width) {
   return std::size_t(half / width * (1 + 1e-12));
 }
 
-/// The end of the outermost two neighbouring bins whose frictions along can be told from zero. All pairs have
-/// about the same noise, so that the errors of all bins say together what that of one is.
+/// One bin beyond the outermost two neighbours whose frictions along can be told from zero, so that there is
+/// room to go to zero in. All pairs have about the same noise: the errors of all bins say together what that
+/// of one is.
 double usual_cutoff(MeasuredFriction const& at, std::vector<FrictionBin> const& bins) {
   double noise = 0;
   for (auto const& bin : bins)
@@ -54,7 +55,7 @@ double usual_cutoff(MeasuredFriction const& at, std::vector<FrictionBin> const& 
   };
   for (std::size_t bin = at.par.size(); bin > 1; --bin)
     if (told(bin - 1) && told(bin - 2))
-      return double(bin) * at.width;
+      return double(std::min(bin + 1, at.par.size())) * at.width;
   throw PhysicsError("no friction of pairs can be told from noise: hold more configurations, or for longer");
 }
 
@@ -86,6 +87,17 @@ Estimate spread(double whole, std::vector<MeasuredFriction> const& without,
   for (std::size_t k = 0; k < without.size(); ++k)
     values.push_back(of(k));
   return {whole, jackknifed(whole, values).se, double(without.size())};
+}
+
+/// What the integral of a molecule's forces gains after the plateau.
+Estimate rise_after(std::size_t plateau, std::vector<Sums> const& rests,
+                    std::function<FrictionFromSums(Sums const&)> const& from) {
+  std::vector<double> values;
+  for (auto const& sums : rests) {
+    auto const self = from(sums).self;
+    values.push_back(self.back() - self[plateau]);
+  }
+  return jackknifed(values.back(), std::span(values).first(values.size() - 1));
 }
 
 void add_errors(PairFriction& result, MeasuredFriction const& whole,
@@ -125,6 +137,7 @@ PairFriction pair_friction(std::vector<HeldConfiguration> const& configurations,
   result.kT = row.next(1)[0], result.force_variance = row.next(1)[0];
   result.self_integral = row.next(n), result.correlation = row.next(n);
   result.self = result.self_integral[lags.plateau];
+  result.rise = rise_after(lags.plateau, rests, from);
   result.memory = lags.memory, result.plateau = double(lags.plateau) * lags.interval,
   result.time_held = lags.time_held;
   result.configurations = configurations.size();

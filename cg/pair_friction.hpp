@@ -11,7 +11,7 @@ struct FrictionSettings {
   double interval = 0; ///< of the frames, > 0
   double bin_width = 0.5;
   double plateau = 0; ///< time at which the integrals end; 0: 8 memory times of the forces
-  double cutoff = 0;  ///< of the tables; 0: where frictions end that differ from zero by two standard errors
+  double cutoff = 0;  ///< of the tables; 0: a bin beyond those whose frictions differ from zero by 2 se
   double knots = 1;   ///< distance of the knots of the tables
 };
 
@@ -35,6 +35,7 @@ struct PairFriction {
   std::vector<Estimate> correlation;   ///< of a molecule's forces, over its first value
   std::vector<Estimate> self_integral; ///< up to each lag
   std::vector<FrictionBin> bins;       ///< those that hold pairs
+  Estimate rise; ///< of the friction of a molecule from the plateau to the last lag: 0 if the plateau is one
   FrictionTable table;
   std::vector<double> par_se, perp_se; ///< standard errors of the table
   Estimate near;        ///< measured sum of (par + 2 perp)/3 over neighbours within the cut-off

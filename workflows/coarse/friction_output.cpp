@@ -2,6 +2,7 @@
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/summary.hpp"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace mesobridge::workflows {
@@ -88,7 +89,7 @@ Figure friction_figure(cg::PairFriction const& found) {
 Table sums_table(cg::PairFriction const& found) {
   cg::Estimate const far{found.self.mean - found.near.mean, found.near.se, found.near.n_eff};
   return {
-      .header = {"sum over neighbours of (γ_∥ + 2 γ_⊥)/3", "", ""},
+      .header = {"sum over neighbours of (γ∥ + 2 γ⊥)/3", "", ""},
       .rows = {{"a molecule's own friction, which it must be", with_error_text(found.self), ""},
                {fmt::format("pairs within {:.4g}", found.table.cutoff()), with_error_text(found.near), ""},
                {"pairs beyond", with_error_text(far), ""},
@@ -100,7 +101,7 @@ Table sums_table(cg::PairFriction const& found) {
 }
 
 Table bins_table(cg::PairFriction const& found) {
-  Table table{.header = {"r", "pairs", "γ_∥", "γ_⊥", "table γ_∥", "table γ_⊥"}, .rows = {}, .caption = ""};
+  Table table{.header = {"r", "pairs", "γ∥", "γ⊥", "table γ∥", "table γ⊥"}, .rows = {}, .caption = ""};
   for (auto const& bin : found.bins)
     table.rows.push_back({number_text(bin.r), number_text(bin.pairs, 6), with_error_text(bin.par),
                           with_error_text(bin.perp), number_text(found.table.par_at(bin.r), 4),
@@ -127,6 +128,7 @@ Json friction_json(cg::PairFriction const& found) {
             {"table_sum", found.table_sum},
             {"table_sum_deviation", found.table_sum / found.self.mean - 1}};
   put(json, "gamma_self", found.self);
+  put(json, "gamma_self_rise_after_plateau", found.rise);
   put(json, "kT", found.kT);
   put(json, "force_variance", found.force_variance);
   put(json, "pair_sum_within_cutoff", found.near);
@@ -147,6 +149,16 @@ Json friction_json(cg::PairFriction const& found) {
     json["force_correlation"].push_back(found.correlation[k].mean);
   }
   return json;
+}
+
+std::string plateau_warning(cg::PairFriction const& found) {
+  constexpr double allowed = 3; // standard errors
+  if (std::abs(cg::deviation(found.rise, 0)) <= allowed)
+    return "";
+  return fmt::format(
+      "The friction changes by {} from the time {:.4g} to {:.4g}: part of the forces' memory is slow, and "
+      "the value depends on where it is read (--plateau).",
+      with_error_text(found.rise), found.plateau, found.lag.back());
 }
 
 std::string friction_text(cg::PairFriction const& found) {
@@ -170,6 +182,8 @@ Report friction_report(cg::PairFriction const& found, std::string const& name, s
   report.sections = {
       {"Friction over distance", {friction_figure(found), sums_table(found), bins_table(found)}},
       {"Plateau", {integrals_figure(found), correlation_figure(found)}}};
+  if (auto const warning = plateau_warning(found); !warning.empty())
+    report.warnings.push_back(warning);
   report.sources = {"Hijon et al. 2010"};
   return report;
 }

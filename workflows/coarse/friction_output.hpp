@@ -18,6 +18,9 @@ std::string friction_csv(cg::FrictionTable const& table);
 Json friction_json(cg::PairFriction const& found);
 std::string friction_text(cg::PairFriction const& found);
 
+/// What makes the plateau none; empty where it is one.
+std::string plateau_warning(cg::PairFriction const& found);
+
 /// Running integrals with their plateau, frictions over distance beside the tables, and their sums.
 Report friction_report(cg::PairFriction const& found, std::string const& name, std::string const& units);
 

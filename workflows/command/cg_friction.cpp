@@ -3,6 +3,7 @@
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
 namespace {
@@ -45,6 +46,8 @@ Result friction(CgFrictionOptions const& options, Context const& context) {
   if (data.steps.size() % data.frames_of_each != 0)
     report.warnings.push_back("The last configuration is not complete, and is left out.");
   write_text_file(directory / "friction.html", report.html());
+  if (auto const warning = plateau_warning(found); !warning.empty())
+    context.log->warn(warning);
   result.text = friction_text(found) + (directory / "friction.csv").string();
   return result;
 }
@@ -54,8 +57,9 @@ void declare(CLI::App& app, CgFrictionOptions& options) {
   app.add_option("file", options.input, "What `md held-blobs` wrote")->required()->type_name("FILE.h5");
   app.add_option("--plateau", s.plateau,
                  "Time at which the integrals are read (default: 8 memory times of the forces)");
-  app.add_option("--cutoff", s.cutoff,
-                 "Of the table (default: where frictions end that differ from zero by 2 standard errors)");
+  app.add_option(
+      "--cutoff", s.cutoff,
+      "Of the table (default: a bin beyond the frictions that differ from zero by 2 standard errors)");
   app.add_option("--bin-width", s.bin_width, "Of the distances (default 0.5)");
   app.add_option("--knots", s.knots, "Distance of the knots of the table's splines (default 1)");
 }

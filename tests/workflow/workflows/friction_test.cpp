@@ -1,4 +1,5 @@
 #include "long_inputs.hpp"
+#include "program.hpp"
 #include "refusals.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
@@ -66,7 +67,7 @@ TEST(FrictionCommands, LeadFromAMeltToATableThatASceneTakes) {
       scratch / "star.toml",
       "title = \"stars\"\nunits = \"lj\"\n[method]\nname = \"dpd\"\n[fluid]\nrho = 0.3\nT = 1\n[particles]\n"
       "N = 1000\nmass = 4\n[potential]\nname = \"soft\"\na = 5\ncutoff = 3\n[friction]\nfile = \"" +
-          csv.string() + "\"\n[scheme]\ndt = 0.01\n[run]\nsteps = 10\n");
+          csv.string() + "\"\n[scheme]\ndt = 0.01\n[run]\nsteps = 1000\nsample_every = 10\n");
   auto const scene = program({"check", (scratch / "star.toml").string()});
   EXPECT_EQ(scene.status, 0) << scene.errors;
 }
@@ -96,7 +97,11 @@ TEST(FrictionCommands, ForcesDoNotDependOnTheNumberOfRanks) {
                                  "--molecules",
                                  "64",
                                  "--rho",
-                                 "0.02",
+                                 "0.1",
+                                 "--dt",
+                                 "0.001",
+                                 "--squeeze-steps",
+                                 "200",
                                  "--friction",
                                  "1e-24",
                                  "--equilibration-steps",
