@@ -79,7 +79,8 @@ std::string find_lags(Decaying& waves, Sums const& all) {
   if (lag == waves.lags)
     return "the run is too short for them: they have not died away to 0.2 within half a block";
   if (waves.fitted < least_fitted)
-    return fmt::format("frames are too far apart: they die away to 0.2 within {}", lag);
+    return fmt::format("frames are too far apart: they die away to 0.2 within {}; write frames more often",
+                       lag);
   waves.kept = std::min(waves.lags, std::size_t(shown_beyond * double(waves.fitted)));
   return {};
 }

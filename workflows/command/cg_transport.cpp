@@ -1,6 +1,5 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
-#include "workflows/interrupt.hpp"
 #include "workflows/report/report.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
@@ -58,9 +57,14 @@ Result numbers_of(MeasuredMotion const& motion, cg::Diffusion const& diffusion,
     result.json.update(viscosity_json(*viscosity.value));
   else
     result.json["eta_missing"] = viscosity.reason;
+  std::string const no_correction = "the box is no cube, for which alone the correction is";
+  if (viscosity.value && !diffusion.D_infinite)
+    result.json["D_infinite_missing"] = no_correction;
   result.text =
       diffusion_text(diffusion) +
       (viscosity.value ? viscosity_text(*viscosity.value) : "eta         none: " + viscosity.reason + "\n");
+  if (viscosity.value && !diffusion.D_infinite)
+    result.text += "D_infinite  none: " + no_correction + "\n";
   return result;
 }
 
@@ -71,7 +75,6 @@ Result transport(CgTransportOptions const& options, Context const& context) {
   check(options.waves);
   auto const motion = read_motion(options.input, context);
   auto const viscosity = viscosity_of(motion.series, options.waves);
-  throw_if_interrupted();
   auto const diffusion = diffusion_of(motion, options.settings, viscosity.value);
   auto result = numbers_of(motion, diffusion, viscosity);
   auto report = transport_report(diffusion, viscosity.value, motion.name, motion.units);

@@ -6,6 +6,7 @@
 #include "workflows/report/plot.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mesobridge::workflows {
 namespace {
@@ -80,25 +81,29 @@ void require_same_units(TransportResult const& ours, TransportResult const& othe
           fmt::format("must be {}, those of this one", ours.units));
 }
 
-/// The lags until both velocities have died away: 12 times the longer decay, or as far as both reach.
-double shown_lags(TransportResult const& ours, TransportResult const& other) {
-  double shown = std::min(ours.lag.back(), other.lag.back()), decay = 0;
-  for (auto const* result : {&ours, &other})
-    for (auto const& [key, value] : result->numbers)
-      if (key == "velocity_decay_time")
-        decay = std::max(decay, value.mean);
-  return decay > 0 ? std::min(shown, 12 * decay) : shown;
+/// When a velocity has fallen to 1/e, to the next lag.
+double decay_of(TransportResult const& result) {
+  auto const at =
+      std::ranges::find_if(result.velocity, [](auto const& C) { return C.mean < 1 / std::numbers::e; });
+  return result.lag[std::min(std::size_t(at - result.velocity.begin()), result.lag.size() - 1)];
 }
 
+/// The lags until both velocities have died away: 12 times the longer decay, or as far as both reach.
+double shown_lags(TransportResult const& ours, TransportResult const& other) {
+  return std::min({ours.lag.back(), other.lag.back(), 12 * std::max(decay_of(ours), decay_of(other))});
+}
+
+/// Of this fluid points with errors, of the one beside it a line.
 Series curve(TransportResult const& of, std::vector<cg::Estimate> const& values, double last, bool per_time,
-             int colour) {
-  Series series{.label = of.name, .x = {}, .y = {}, .y_error = {}, .colour = colour};
+             SeriesStyle style) {
+  Series series{.label = of.name, .x = {}, .y = {}, .y_error = {}, .style = style};
   auto const count = std::size_t(std::ranges::upper_bound(of.lag, last * (1 + 1e-9)) - of.lag.begin());
   std::size_t const step = 1 + count / most_points;
   for (std::size_t k = per_time ? 1 : 0; k < count; k += step) {
     double const factor = per_time ? 1 / (6 * of.lag[k]) : 1;
-    series.x.push_back(of.lag[k]), series.y.push_back(factor * values[k].mean),
-        series.y_error.push_back(factor * values[k].se);
+    series.x.push_back(of.lag[k]), series.y.push_back(factor * values[k].mean);
+    if (style == SeriesStyle::points)
+      series.y_error.push_back(factor * values[k].se);
   }
   return series;
 }
@@ -167,19 +172,22 @@ Section beside_section(TransportResult const& ours, TransportResult const& other
   velocities.panels[0].y.label = "C(t)/C(0)";
   velocities.panels[0].level_lines = {0};
   double const shown = shown_lags(ours, other);
-  velocities.panels[0].series = {curve(ours, ours.velocity, shown, false, 0),
-                                 curve(other, other.velocity, shown, false, 1)};
+  velocities.panels[0].series = {curve(ours, ours.velocity, shown, false, SeriesStyle::points),
+                                 curve(other, other.velocity, shown, false, SeriesStyle::lines)};
   Plot displacements{.name = "displacementsbeside",
                      .title = "Mean square displacement over 6 t",
                      .x = {.label = "t"},
                      .panels = {Panel{}}};
   displacements.panels[0].y = {.label = "Δ^2/6t", .min = 0};
   double const last = std::min(ours.lag.back(), other.lag.back());
-  displacements.panels[0].series = {curve(ours, ours.displacement, last, true, 0),
-                                    curve(other, other.displacement, last, true, 1)};
-  return {"Beside " + other.name,
-          {std::move(table), Figure{{draw_svg(velocities), draw_svg(displacements)},
-                                    "The motion of both, by the same code, with standard errors."}}};
+  displacements.panels[0].series = {curve(ours, ours.displacement, last, true, SeriesStyle::points),
+                                    curve(other, other.displacement, last, true, SeriesStyle::lines)};
+  return {
+      "Beside " + other.name,
+      {std::move(table),
+       Figure{
+           {draw_svg(velocities), draw_svg(displacements)},
+           "The motion of both, by the same code; points with standard errors, and a line for the other."}}};
 }
 
 } // namespace mesobridge::workflows

@@ -32,7 +32,7 @@ Figure displacements(cg::Diffusion const& found) {
   std::size_t const last = found.lag.size() - 1;
   panel.series = {
       curve_of(
-          found, "molecules",
+          found, "mean of all",
           [&](std::size_t k) { return cg::scaled(found.displacement[k], 1 / (6 * found.lag[k])); }, 1, last),
       {.label = "D, from the slope of the second half",
        .x = {found.lag[last / 2], found.lag[last]},

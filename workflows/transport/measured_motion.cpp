@@ -1,7 +1,6 @@
 #include "workflows/transport/measured_motion.hpp"
 #include "md/error.hpp"
 #include "md/units.hpp"
-#include "workflows/interrupt.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/star/blob_analysis.hpp"
@@ -36,7 +35,6 @@ double particle_mass(sdpd::SimulationSettings const& settings) {
 }
 
 void add_frame(cg::BlobSeries& series, TrajectoryFrame const& frame, std::filesystem::path const& file) {
-  throw_if_interrupted();
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!frame.periodic[axis])
       throw InputError(fmt::format("'{}': the box is not periodic along {}: diffusion and viscosity are "
@@ -79,8 +77,7 @@ MeasuredMotion motion_of_run(RunFolder const& folder, Context const& context) {
                         .units = si ? "SI" : "reduced Lennard-Jones",
                         .boltzmann = si ? settings.units().boltzmann : 1,
                         .file = file,
-                        .folder = folder.path(),
-                        .particles = true};
+                        .folder = folder.path()};
   read_trajectory(file,
                   {.atoms_per_molecule = 1,
                    .units = unit_style(si ? "si" : "lj"),

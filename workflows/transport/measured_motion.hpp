@@ -12,7 +12,6 @@ struct MeasuredMotion {
   double boltzmann = 1;         ///< in these units: k_B T over it is a temperature
   std::filesystem::path file;   ///< what was read
   std::filesystem::path folder; ///< where results belong
-  bool particles = false;       ///< of the engine, not molecules
 };
 
 /// Of a file that `md star-melt` or `cg blobs` wrote, or of a folder that `run` wrote with

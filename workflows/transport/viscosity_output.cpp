@@ -84,7 +84,7 @@ std::string over_wave_vectors(cg::Viscosity const& found) {
 Table table_of(cg::Viscosity const& found) {
   Table table{.header = {"k", "vectors", "η(k)", "η(k), by the integral", "memory", "k_B T of the currents"},
               .rows = {},
-              .caption = fmt::format("The line η + b k^2 misses them by χ^2 = {} with {} degrees of freedom.",
+              .caption = fmt::format("The line η + b k² misses them by χ² = {} with {} degrees of freedom.",
                                      number_text(found.chi2, 3), found.waves.size() - 2)};
   for (auto const& wave : found.waves)
     table.rows.push_back({number_text(wave.k, 4), fmt::format("{}", wave.vectors), with_error_text(wave.eta),
