@@ -111,8 +111,9 @@ template <class Kernel>
 void add_images(System& system, SecondOrder const& law, Kernel const& kernel) {
   for (auto const& wall : system.walls)
     for_each_index(wall.layer.particles.size(), system.threads, [&](std::size_t k) {
-      for (auto const& [j, r] : wall.layer.images[k])
+      wall.layer.for_each_image(k, [&](Index j, Vec3 const& r) {
         add_pair(system, law, wall.layer.particles[k], j, kernel.W(norm(r)));
+      });
     });
 }
 
