@@ -1,10 +1,10 @@
 #include "workflows/command/options.hpp"
 #include "workflows/report/report.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/star/diffusion_output.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 namespace {
@@ -44,9 +44,7 @@ Result transport(CgTransportOptions const& options, Context const& context) {
 
 void declare(CLI::App& app, CgTransportOptions& options) {
   auto& s = options.settings;
-  app.add_option("file", options.input, "What `md star-melt` or `cg blobs` wrote")
-      ->required()
-      ->type_name("FILE.h5");
+  add_blob_file(app, options.input);
   app.add_option("--longest", s.longest,
                  "Lag up to which molecules are followed (default: a tenth of the run)");
   app.add_option("--viscosity", s.viscosity, "Of the fluid: corrects D for the images of the periodic box");
