@@ -7,8 +7,8 @@ namespace mesobridge::cg {
 /// Sums over the samples of one block; all blocks have the same sums.
 using Sums = std::vector<double>;
 
-/// The jackknife estimate of a number from what it is with all blocks and without each in turn: freed from its
-/// O(1/blocks) bias; n_eff is the number of blocks.
+/// The jackknife estimate of a number from what it is with all blocks and without each in turn: freed from
+/// its O(1/blocks) bias; n_eff is the number of blocks.
 Estimate jackknifed(double whole, std::span<double const> without);
 
 /// Sums of all blocks but one, for each; the last entry leaves none out.

@@ -22,8 +22,8 @@ inline constexpr int not_executed = 127;
 /// Starts a program (argv[0], a path) that lives no longer than the thread which calls this: it gets SIGTERM
 /// then. Its process group is its own, so that Ctrl-C reaches it by our hand alone; SIGINT and SIGTERM end it
 /// unless it catches them, from its first moment on; its standard input is empty and its output goes where
-/// ours goes, unless they are given. It does not take itself for a part of this process's MPI world. Throws EnvironmentError when there
-/// can be no further process.
+/// ours goes, unless they are given. It does not take itself for a part of this process's MPI world. Throws
+/// EnvironmentError when there can be no further process.
 pid_t start_child(std::vector<std::string> argv, ChildSettings const& settings);
 
 /// The file of a program that can be executed: a path, or a name on PATH.

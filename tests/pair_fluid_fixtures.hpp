@@ -46,7 +46,10 @@ struct NamedFluid {
 };
 
 inline std::vector<NamedFluid> one_fluid_of_each_method() {
-  return {{"sdpd", argon(100, 0.03)}, {"reacting", burning_nitromethane(100, 0.02)}, {"dpde", dpde_fluid(60)}, {"dpd", dpd_fluid()}};
+  return {{"sdpd", argon(100, 0.03)},
+          {"reacting", burning_nitromethane(100, 0.02)},
+          {"dpde", dpde_fluid(60)},
+          {"dpd", dpd_fluid()}};
 }
 
 } // namespace mesobridge::sdpd

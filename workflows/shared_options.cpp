@@ -14,6 +14,10 @@ void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set)
       ->take_all();
 }
 
+void add_blob_file(CLI::App& app, std::filesystem::path& file) {
+  app.add_option("file", file, "What `md star-melt` or `cg blobs` wrote")->required()->type_name("FILE.h5");
+}
+
 void add_started_by_ourselves(CLI::App& app, bool& started_by_ourselves) {
   app.add_flag("--started-by-ourselves", started_by_ourselves)->group("");
 }

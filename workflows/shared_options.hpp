@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ CLI::Option* add_preset(CLI::App& app, std::string& preset, std::string const& t
 
 /// The scene's file, and --set for its keys.
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set);
+
+/// A file of blobs.
+void add_blob_file(CLI::App& app, std::filesystem::path& file);
 
 /// Not for users: run_on_ranks says by it that another process tells the result.
 void add_started_by_ourselves(CLI::App& app, bool& started_by_ourselves);

@@ -50,28 +50,37 @@ class PackedMixture {
   }
 
   /// The split at the given energies or entropies, from that of near states, and the lanes that were solved:
-  /// the last step was below 1e-8, which leaves round-off only.
+  /// the last step was below 1e-8, which leaves round-off only. `other` is the entropy where the energy was
+  /// given, and the energy where the entropy was, to the order of that step's square.
   struct Solution {
     PackedSplit split;
+    Pack other;
     PackMask solved;
   };
   Solution from_energy(Pack lambda, Pack rho, Pack e, PackedSplit const& guess) const {
-    return newton(lambda, rho, guess,
-                  [&](At const& at) { return at.step(e - at.energy(), at.energy_r(), at.energy_T()); });
+    return newton(
+        lambda, rho, guess,
+        [&](At const& at) { return at.step(e - at.energy(), at.energy_r(), at.energy_T()); },
+        [](At const& at, Pack dT, Pack dr) {
+          return at.entropy() + at.entropy_T() * dT + at.entropy_r() * dr;
+        });
   }
   Solution from_entropy(Pack lambda, Pack rho, Pack s, PackedSplit const& guess) const {
-    return newton(lambda, rho, guess,
-                  [&](At const& at) { return at.step(s - at.entropy(), at.entropy_r(), at.entropy_T()); });
+    return newton(
+        lambda, rho, guess,
+        [&](At const& at) { return at.step(s - at.entropy(), at.entropy_r(), at.entropy_T()); },
+        [](At const& at, Pack dT, Pack dr) { return at.energy() + at.energy_T() * dT + at.energy_r() * dr; });
   }
 
  private:
   static Pack magnitude(Pack x) { return select(x.v < 0, -x, x); }
 
-  template <class F>
-  Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& towards) const {
+  template <class F, class Other>
+  Solution newton(Pack lambda, Pack rho, PackedSplit split, F const& towards, Other const& other) const {
     constexpr double last_step = 1e-8, longest_step = 0.5;
     constexpr int most_steps = 12;
     PackMask running = ~PackMask{}, solved{};
+    Pack found = 0.0;
     for (int iteration = 0; iteration < most_steps && !all_of(~running); ++iteration) {
       At const here = at(lambda, rho, split);
       running &= covered(here);
@@ -83,10 +92,12 @@ class PackedMixture {
       split.log_density_ratio =
           select(running, split.log_density_ratio + fraction * step.dr, split.log_density_ratio);
       auto const arrived = running & (longest.v < last_step);
+      if (!all_of(~arrived))
+        found = select(arrived, other(here, step.dT, step.dr), found);
       solved |= arrived;
       running &= ~arrived;
     }
-    return {split, solved};
+    return {split, found, solved};
   }
 
   Mixture<Reactant, Product> const& mixture_;

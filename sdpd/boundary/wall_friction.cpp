@@ -34,15 +34,15 @@ WallWeights friction_weights(Law const& law, System const& system, Wall const& w
   double const distance = wall.distance(system.particles.q[i], system.wall_time),
                scale = wall.friction.strength * gamma_over_a(law, wall.friction.temperature);
   WallWeights sum;
-  for (auto const& [j, r] : wall.layer.images[k]) {
+  wall.layer.for_each_image(k, [&](Index j, Vec3 const& r) {
     double const both = std::abs(component(r, wall.axis)), apart = norm(r);
     if (!(both > 0))
-      continue; // it sits on the wall
+      return; // it sits on the wall
     auto const [par, perp] = law.coefficients(weight_of(law, system, i, j, apart));
     double const across = both * both / (apart * apart), factor = scale * both / distance;
     sum.normal += factor * (par * across + perp * (1 - across));
     sum.along += factor * 0.5 * (par * (1 - across) + perp * (1 + across));
-  }
+  });
   return sum;
 }
 
@@ -51,9 +51,10 @@ double heat_weight(Law const& law, System const& system, Wall const& wall, std::
   Index const i = wall.layer.particles[k];
   double const distance = wall.distance(system.particles.q[i], system.wall_time);
   double sum = 0;
-  for (auto const& [j, r] : wall.layer.images[k])
+  wall.layer.for_each_image(k, [&](Index j, Vec3 const& r) {
     if (double const both = std::abs(component(r, wall.axis)); both > 0)
       sum += weight_of(law, system, i, j, norm(r)).par * both / distance;
+  });
   return sum;
 }
 

@@ -1,74 +1,50 @@
+#include "sdpd/boundary/layer_cells.hpp"
 #include "sdpd/boundary/mirror.hpp"
+#include "sdpd/simd/lanes.hpp"
+#include <bit>
 
 namespace mesobridge::sdpd {
 namespace {
 
-/// One of the edges of the box along the walls, in cells that are at least as long as the range; in corners,
-/// where there is none to walk along, one cell.
-struct Edge {
-  int axis;
-  double length = 1, inverse = 1;
-  bool periodic = false;
-  int cells = 1;
-
-  explicit Edge(int along) : axis(along) {}
-  Edge(Box const& box, int along, double range)
-      : axis(along), length(component(box.edge, along)), inverse(1 / length),
-        periodic(box.periodic[static_cast<unsigned>(along)]),
-        cells(std::max(1, static_cast<int>(length / range))) {}
-
-  int cell_of(double at) const { return static_cast<int>(std::clamp(at / length * cells, 0.0, cells - 1.0)); }
-  double nearest(double way) const { return way - turns(way) * length; }
-  /// A periodic box is at least twice as long as the range: where the two ends are as near, it does not
-  /// matter.
-  double turns(double way) const { return periodic ? std::nearbyint(way * inverse) : 0; }
-
-  /// Calls f for the cell and those beside it, each once.
-  template <class F>
-  void for_each_around(int cell, F const& f) const {
-    bool const all = periodic && cells <= 3;
-    int const first = all ? 0 : periodic ? cell - 1 : std::max(0, cell - 1);
-    int const last = all ? cells - 1 : periodic ? cell + 1 : std::min(cells - 1, cell + 1);
-    for (int at = first; at <= last; ++at)
-      f((at + cells) % cells);
-  }
-};
-
-/// Where a particle of the layer is: how far from the walls, then along the other axes.
-struct Place {
-  std::array<double, 3> at;
-  int cell_a, cell_b;
-};
-
-/// What the search for images works with, kept so that no step allocates: the places in the layer's order,
-/// and again cell after cell, in each in that order.
+/// What the search for images works with, kept so that no step allocates: where the candidates are, how far
+/// from the walls and then along the other axes, with a phantom past the end; and whose images each may see.
 struct Search {
-  std::vector<Place> places;
-  std::vector<std::size_t> begin, next; ///< of the cells
   std::array<std::vector<double>, 3> at;
-  std::vector<Index> particle;
+  LayerCells cells;
+  std::vector<std::vector<std::uint32_t>> near;
 };
+
+std::size_t whole_registers(std::size_t count) {
+  return (count + lane_count - 1) / lane_count * lane_count;
+}
 
 /// The search behind one wall, or behind two or three of several axes at once: images of images.
 template <std::size_t walls>
 class ImageSearch {
  public:
   ImageSearch(System const& system, std::array<Wall const*, walls> const& of)
-      : system_(system), walls_(of), range_(system.neighbours.range()), a_(free_edge(0)),
-        b_(free_edge(1)), axes_{axis(0), axis(1), axis(2)} {
+      : system_(system), walls_(of), range_(system.neighbours.range()), axes_{axis(0), axis(1), axis(2)} {
+    bool moves = false;
     for (std::size_t k = 0; k < walls; ++k)
-      now_[k] = of[k]->position(system.wall_time);
+      now_[k] = of[k]->position(system.wall_time), moves |= of[k]->motion.moves();
+    allowed_ = moves ? system.neighbours.skin() / 4 : 0;
+    // Either particle comes nearer by half the skin, and the image by twice what each wall does.
+    reach_ = range_ + system.neighbours.skin() + 2 * walls * allowed_;
+    a_ = free_edge(0), b_ = free_edge(1);
   }
 
   void find(WallLayer& layer) const {
-    find_candidates(layer);
     thread_local Search of_caller;
-    auto& search = of_caller; // the same for all threads of the loop below
-    place(layer, search);
-    auto& images = layer.images;
-    images.resize(std::max(images.size(), layer.particles.size()));
-    for_each_index(layer.particles.size(), threads_for(system_, layer),
-                   [&, &search = search](std::size_t k) { look(search, search.places[k], images[k]); });
+    auto& search = of_caller; // the same for all threads of the loops below
+    if (!is_kept(layer)) {
+      find_candidates(layer);
+      find_near(layer, search);
+    }
+    place(layer, system_.particles.q, search);
+    find_particles(layer, search);
+    for_each_index(layer.particles.size(), threads_for(system_, layer), [&, &search = search](std::size_t k) {
+      layer.counts[k] = look(layer, search, layer.places[k]);
+    });
   }
 
  private:
@@ -86,136 +62,148 @@ class ImageSearch {
   bool is_walled(int axis) const {
     return std::ranges::any_of(walls_, [&](Wall const* wall) { return wall->axis == axis; });
   }
-  Edge free_edge(std::size_t k) const {
-    return walls + k < 3 ? Edge(system_.box, axis(walls + k), range_) : Edge(0);
+  LayerEdge free_edge(std::size_t k) const {
+    return walls + k < 3 ? LayerEdge(system_.box, axis(walls + k), reach_) : LayerEdge(0);
   }
-  std::size_t cell(int x, int y) const { return static_cast<std::size_t>(y * a_.cells + x); }
 
-  /// Particles that may come within the range before the lists are renewed, and so has each come by half
-  /// their skin, or a wall by as much. Those of an earlier look are kept as long as that holds.
+  /// Whether the candidates of an earlier look are still all that may come within the range.
+  bool is_kept(WallLayer const& layer) const {
+    bool kept = layer.renewal == system_.neighbours.renewals();
+    for (std::size_t k = 0; k < walls; ++k)
+      kept &= std::abs(now_[k] - layer.position[static_cast<std::size_t>(walls_[k]->axis)]) <= allowed_;
+    return kept;
+  }
+
+  /// Particles that may come within the range before the lists are renewed or the walls have moved too far.
   void find_candidates(WallLayer& layer) const {
-    auto const& neighbours = system_.neighbours;
-    bool kept = layer.renewal == neighbours.renewals();
+    layer.renewal = system_.neighbours.renewals();
     for (std::size_t k = 0; k < walls; ++k)
-      kept &= std::abs(now_[k] - position_of(layer, k)) <= neighbours.skin() / 2;
-    if (kept)
-      return;
-    layer.renewal = neighbours.renewals();
-    for (std::size_t k = 0; k < walls; ++k)
-      position_of(layer, k) = now_[k];
+      layer.position[static_cast<std::size_t>(walls_[k]->axis)] = now_[k];
     layer.candidates.clear();
-    auto const at_renewal = neighbours.positions_at_renewal();
+    auto const at_renewal = system_.neighbours.positions_at_renewal();
     auto const take_if_near = [&](Index i) {
       bool near = true;
       for (std::size_t k = 0; k < walls; ++k)
-        near &= walls_[k]->distance_from(now_[k], at_renewal[i]) < neighbours.reach();
+        near &= walls_[k]->distance_from(now_[k], at_renewal[i]) < system_.neighbours.reach();
       if (near)
         layer.candidates.push_back(i);
     };
     if constexpr (walls == 1)
       for (Index i = 0; i < system_.size(); ++i)
         take_if_near(i);
-    else // which that wall has looked for just now: its list is due whenever a corner's is
+    else // which that wall has looked for: its list is due whenever a corner's is
       std::ranges::for_each(walls_[0]->layer.candidates, take_if_near);
   }
-  double& position_of(WallLayer& layer, std::size_t k) const {
-    return layer.position[static_cast<std::size_t>(walls_[k]->axis)];
-  }
 
-  /// Finds the layer's particles and puts them into cells.
-  void place(WallLayer& layer, Search& search) const {
-    layer.particles.clear(), search.places.clear();
-    for (Index const i : layer.candidates) {
-      Place here{};
-      bool near = true;
-      for (std::size_t k = 0; k < walls; ++k) {
-        here.at[k] = walls_[k]->distance_from(now_[k], system_.particles.q[i]);
-        near &= here.at[k] < range_;
+  /// Where the candidates are, and the phantom, whose image nobody sees.
+  void place(WallLayer const& layer, std::span<Vec3 const> q, Search& search) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+      auto& at = search.at[d];
+      at.resize(layer.candidates.size() + 1);
+      for (std::size_t c = 0; c < layer.candidates.size(); ++c) {
+        Vec3 const& here = q[layer.candidates[c]];
+        at[c] = d < walls ? walls_[d]->distance_from(now_[d], here) : component(here, axes_[d]);
       }
-      if (!near)
-        continue;
-      Vec3 const q = system_.box.wrap(system_.particles.q[i]);
-      if constexpr (walls < 3)
-        here.at[walls] = component(q, a_.axis), here.cell_a = a_.cell_of(here.at[walls]);
-      if constexpr (walls < 2)
-        here.at[walls + 1] = component(q, b_.axis), here.cell_b = b_.cell_of(here.at[walls + 1]);
-      search.places.push_back(here);
-      layer.particles.push_back(i);
-    }
-    sort(layer, search);
-  }
-
-  void sort(WallLayer const& layer, Search& search) const {
-    auto& [places, begin, next, at, particle] = search;
-    begin.assign(static_cast<std::size_t>(a_.cells * b_.cells) + 1, 0);
-    for (auto const& here : places)
-      ++begin[cell(here.cell_a, here.cell_b) + 1];
-    for (std::size_t c = 1; c < begin.size(); ++c)
-      begin[c] += begin[c - 1];
-    next.assign(begin.begin(), begin.end() - 1);
-    for (auto& values : at)
-      values.resize(places.size());
-    particle.resize(places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      auto const m = next[cell(places[k].cell_a, places[k].cell_b)]++;
-      for (std::size_t d = 0; d < 3; ++d)
-        at[d][m] = places[k].at[d];
-      particle[m] = layer.particles[k];
+      at.back() = d < walls ? 2 * range_ : 0;
     }
   }
 
-  /// Finds the images that one particle sees.
-  void look(Search const& search, Place const& here, std::vector<WallImage>& seen) const {
-    seen.clear();
-    b_.for_each_around(here.cell_b, [&](int y) {
-      a_.for_each_around(here.cell_a, [&](int x) {
-        look(search, here, search.begin[cell(x, y)], search.begin[cell(x, y) + 1], seen);
-      });
+  /// Whose images each candidate may see, from where the particles were when the lists were renewed. The
+  /// order depends on that alone: a restart has the same.
+  void find_near(WallLayer& layer, Search& search) const {
+    std::size_t const count = layer.candidates.size();
+    place(layer, system_.neighbours.positions_at_renewal(), search);
+    auto& [at, cells, near] = search;
+    cells.sort(a_, b_, at, axis_a, count, lane_count);
+    near.resize(std::max(near.size(), count));
+    for_each_index(count, system_.threads, [&, &search = search](std::size_t c) { find_near(search, c); });
+    layer.begin.assign(count + 1, 0);
+    for (std::size_t c = 0; c < count; ++c)
+      layer.begin[c + 1] = layer.begin[c] + whole_registers(near[c].size());
+    layer.near.assign(layer.begin.back(), static_cast<std::uint32_t>(count));
+    for (std::size_t c = 0; c < count; ++c)
+      std::ranges::copy(near[c], layer.near.data() + layer.begin[c]);
+    auto& [of, x, y, z] = layer.images;
+    of.resize(layer.near.size()), x.resize(of.size()), y.resize(of.size()), z.resize(of.size());
+  }
+
+  /// Whose images one candidate may see.
+  void find_near(Search& search, std::size_t c) const {
+    auto const& at = search.at;
+    auto const& cells = search.cells;
+    auto& near = search.near[c];
+    Lanes const reach2 = broadcast(reach_ * reach_);
+    std::size_t found = 0;
+    cells.for_each_around(a_, b_, at[axis_a][c], at[2][c], [&](std::size_t begin, std::size_t end) {
+      near.resize(std::max(near.size(), found + whole_registers(end - begin)));
+      for (std::size_t m = begin; m < end; m += lane_count) {
+        Lanes r2{};
+        for (std::size_t d = 0; d < 3; ++d) {
+          Lanes const one = way(d, broadcast(at[d][c]), load<Lanes>(&cells.at[d][m]));
+          r2 += one * one;
+        }
+        unsigned const present = end - m < lane_count ? (1u << (end - m)) - 1 : 0xffu;
+        unsigned const bits = less(r2, reach2) & present;
+        compress(bits, &cells.places[m], &near[found]);
+        found += static_cast<std::size_t>(std::popcount(bits));
+      }
     });
+    near.resize(found);
+  }
+
+  /// Those of the candidates that are within the range now.
+  void find_particles(WallLayer& layer, Search const& search) const {
+    layer.particles.clear(), layer.places.clear();
+    for (std::size_t c = 0; c < layer.candidates.size(); ++c) {
+      bool near = true;
+      for (std::size_t k = 0; k < walls; ++k)
+        near &= search.at[k][c] < range_;
+      if (near)
+        layer.particles.push_back(layer.candidates[c]), layer.places.push_back(static_cast<std::uint32_t>(c));
+    }
+    layer.counts.resize(layer.particles.size());
   }
 
   /// From the image of a place to another place, along the walls' normals and then along the other axes.
-  double way(std::size_t d, double here, double there) const {
+  template <class X>
+  X way(std::size_t d, X const& here, X const& there) const {
     if (d < walls)
       return here + there;
-    return (d == walls ? a_ : b_).nearest(here - there);
+    return (d == walls ? a_ : b_).nearest(X(here - there));
   }
 
-  /// Of the particles begin ... end-1 in the order of the cells: squares of distances first, which
-  /// vectorises.
-  void look(Search const& search, Place const& here, std::size_t begin, std::size_t end,
-            std::vector<WallImage>& seen) const {
-    constexpr std::size_t at_once = 64;
-    std::array<double, at_once> r2;
-    for (; begin < end; begin += at_once) {
-      std::size_t const count = std::min(at_once, end - begin);
-      for (std::size_t m = 0; m < count; ++m) {
-        double const x = way(0, here.at[0], search.at[0][begin + m]),
-                     y = way(1, here.at[1], search.at[1][begin + m]),
-                     z = way(2, here.at[2], search.at[2][begin + m]);
-        r2[m] = x * x + y * y + z * z;
-      }
-      for (std::size_t m = 0; m < count; ++m)
-        if (r2[m] < range_ * range_)
-          seen.push_back({search.particle[begin + m], from_image(search, here, begin + m)});
+  /// Finds the images that one candidate sees, and says how many.
+  std::uint32_t look(WallLayer& layer, Search const& search, std::uint32_t c) const {
+    Lanes const range2 = broadcast(range_ * range_);
+    std::array<double*, 3> const to{layer.images.x.data(), layer.images.y.data(), layer.images.z.data()};
+    std::size_t const first = layer.begin[c];
+    std::size_t found = first;
+    for (std::size_t m = first; m < layer.begin[c + 1]; m += lane_count) {
+      std::array<Lanes, 3> r;
+      for (std::size_t d = 0; d < 3; ++d)
+        r[d] = way(d, broadcast(search.at[d][c]), gather(search.at[d].data(), &layer.near[m]));
+      unsigned const bits = less(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], range2);
+      compress(bits, &layer.near[m], &layer.images.of[found]);
+      for (std::size_t d = 0; d < 3; ++d)
+        compress(bits, d < walls && walls_[d]->upper ? -r[d] : r[d],
+                 to[static_cast<std::size_t>(axes_[d])] + found);
+      found += static_cast<std::size_t>(std::popcount(bits));
     }
+    for (std::size_t m = found; m % lane_count != 0; ++m) {
+      layer.images.of[m] = static_cast<std::uint32_t>(layer.candidates.size());
+      to[0][m] = 0.5 * range_, to[1][m] = 0, to[2][m] = 0; // within what kernels are made for
+    }
+    return static_cast<std::uint32_t>(found - first);
   }
 
-  Vec3 from_image(Search const& search, Place const& here, std::size_t m) const {
-    Vec3 r;
-    for (std::size_t d = 0; d < 3; ++d) {
-      double const one = way(d, here.at[d], search.at[d][m]);
-      component(r, axes_[d]) = d < walls && walls_[d]->upper ? -one : one;
-    }
-    return r;
-  }
+  static constexpr std::size_t axis_a = walls < 2 ? 1 : 2; ///< the one that a_ goes along, if there is one
 
   System const& system_;
   std::array<Wall const*, walls> walls_;
   std::array<double, walls> now_{};
-  double range_;
-  Edge a_, b_;
+  double range_, allowed_ = 0, reach_ = 0;
   std::array<int, 3> axes_; ///< of the walls, then the others
+  LayerEdge a_{0}, b_{0};
 };
 
 } // namespace

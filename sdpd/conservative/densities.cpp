@@ -67,7 +67,8 @@ void find_pairs_and_densities(System& system) {
   add_wall_densities(system);
   auto& particles = system.particles;
   if (!particles.mass.empty() && system.density_sum == DensitySum::number)
-    for_each_index(system.size(), system.threads, [&](std::size_t i) { particles.rho[i] *= particles.mass[i]; });
+    for_each_index(system.size(), system.threads,
+                   [&](std::size_t i) { particles.rho[i] *= particles.mass[i]; });
 }
 
 } // namespace mesobridge::sdpd

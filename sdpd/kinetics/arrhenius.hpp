@@ -26,6 +26,27 @@ struct Arrhenius {
   }
 };
 
+/// A law of two rates, there and back, whose first members they are, as scenes name it: without and with the
+/// way back.
+template <class Law>
+std::vector<KineticsKind<Law>> arrhenius_kinds(std::string_view name, std::string_view summary,
+                                               std::string_view name_reversible,
+                                               std::string_view summary_reversible) {
+  using A = Arrhenius;
+  return {{name,
+           summary,
+           {A::factor, A::barrier},
+           [](auto x) {
+             return Law{{x[0], x[1]}, {}};
+           }},
+          {name_reversible,
+           summary_reversible,
+           {A::factor, A::barrier, A::factor_back, A::barrier_back},
+           [](auto x) {
+             return Law{{x[0], x[1]}, {x[2], x[3]}};
+           }}};
+}
+
 /// The largest change of lambda over which a rate with T_a may be taken as constant, where the reaction gives
 /// the heat `heat` to the heat capacity c, both of a unit mass: 0.3 of what changes the rate by the factor e
 /// (sdpd/README.md, Eq. (S64)). Infinite without heat.

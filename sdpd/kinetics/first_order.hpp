@@ -10,14 +10,8 @@ struct FirstOrder {
   Arrhenius forward, back;
 
   static std::vector<KineticsKind<FirstOrder>> kinds() {
-    return {{"first-order",
-             "each particle by itself, by Arrhenius",
-             {Arrhenius::factor, Arrhenius::barrier},
-             [](auto x) { return FirstOrder{{x[0], x[1]}, {}}; }},
-            {"first-order-reversible",
-             "and back",
-             {Arrhenius::factor, Arrhenius::barrier, Arrhenius::factor_back, Arrhenius::barrier_back},
-             [](auto x) { return FirstOrder{{x[0], x[1]}, {x[2], x[3]}}; }}};
+    return arrhenius_kinds<FirstOrder>("first-order", "each particle by itself, by Arrhenius",
+                                       "first-order-reversible", "and back");
   }
   FirstOrder in_units(ReducedUnits const& units) const {
     return {forward.in_units(units), back.in_units(units)};

@@ -35,7 +35,7 @@ std::vector<std::string> rate_integrator_names(); ///< in the order of RateInteg
 /// A reaction of the particles, in reduced units.
 struct Reaction {
   AnyKinetics kinetics;
-  double heat = 0; ///< chemical energy of a unit mass at lambda = 0, that the internal energy has at lambda = 1
+  double heat = 0; ///< of a unit mass: chemical energy at lambda = 0, internal at lambda = 1
   RateIntegrator integrator = RateIntegrator::midpoint;
 };
 

@@ -15,10 +15,9 @@ struct PrescribedBurn {
   double D, z_0, w;
 
   static std::vector<KineticsKind<PrescribedBurn>> kinds() {
-    return {{"prescribed",
-             "a front of a given speed",
-             {speed, start, width},
-             [](auto x) { return PrescribedBurn{x[0], x[1], x[2]}; }}};
+    return {{"prescribed", "a front of a given speed", {speed, start, width}, [](auto x) {
+               return PrescribedBurn{x[0], x[1], x[2]};
+             }}};
   }
   PrescribedBurn in_units(ReducedUnits const& units) const {
     return {D / units.velocity(), z_0 / units.length(), w / units.length()};

@@ -26,11 +26,9 @@ struct PressureBurn {
   static std::vector<KineticsKind<PressureBurn>> kinds() {
     return {{"pressure",
              "ignition by compression and growth by pressure",
-             {ignition, threshold, ignition_fuel, ignition_power, growth, pressure, growth_fuel, growth_product,
-              growth_power},
-             [](auto v) {
-               return PressureBurn{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
-             }}};
+             {ignition, threshold, ignition_fuel, ignition_power, growth, pressure, growth_fuel,
+              growth_product, growth_power},
+             [](auto v) { return PressureBurn{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]}; }}};
   }
   PressureBurn in_units(ReducedUnits const& units) const {
     auto law = *this;

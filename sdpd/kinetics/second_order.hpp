@@ -17,14 +17,8 @@ struct SecondOrder {
   NeighbourWeights weights = NeighbourWeights::kernel;
 
   static std::vector<KineticsKind<SecondOrder>> kinds() {
-    return {{"second-order",
-             "pairs of unburnt particles react, by Arrhenius",
-             {Arrhenius::factor, Arrhenius::barrier},
-             [](auto x) { return SecondOrder{{x[0], x[1]}, {}}; }},
-            {"second-order-reversible",
-             "and pairs of burnt ones go back",
-             {Arrhenius::factor, Arrhenius::barrier, Arrhenius::factor_back, Arrhenius::barrier_back},
-             [](auto x) { return SecondOrder{{x[0], x[1]}, {x[2], x[3]}}; }}};
+    return arrhenius_kinds<SecondOrder>("second-order", "pairs of unburnt particles react, by Arrhenius",
+                                        "second-order-reversible", "and pairs of burnt ones go back");
   }
   SecondOrder in_units(ReducedUnits const& units) const {
     return {forward.in_units(units), back.in_units(units), weights};

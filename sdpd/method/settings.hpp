@@ -23,12 +23,12 @@ struct SimulationSettings {
                                        10}; ///< particles along each edge of the initial cubic lattice
   /// Where the particles begin, if not all of them on that lattice at rest, at rho and T; reduced.
   std::shared_ptr<Layout const> layout = {};
-  Faces faces = {};                         ///< of the box; velocities and times in the units of the method
-  BodyForce body_force = {};                ///< in the units of the method
-  double disorder = 0; ///< standard deviation of the initial displacements from it, in lattice spacings
-  bool noise = true;   ///< false: viscous smoothed particle hydrodynamics, which starts at rest
-  double skin = 0;     ///< of the neighbour lists, reduced; 0: chosen by the method
-  double dt = 0;       ///< time step, reduced, > 0
+  Faces faces = {};          ///< of the box; velocities and times in the units of the method
+  BodyForce body_force = {}; ///< in the units of the method
+  double disorder = 0;       ///< standard deviation of the initial displacements from it, in lattice spacings
+  bool noise = true;         ///< false: viscous smoothed particle hydrodynamics, which starts at rest
+  double skin = 0;           ///< of the neighbour lists, reduced; 0: chosen by the method
+  double dt = 0;             ///< time step, reduced, > 0
   Scheme scheme = {};
   double bath_rate = 0; ///< of the Langevin bath during equilibration, reduced, >= 0; 0: by rescaling
   std::uint64_t seed = 1;

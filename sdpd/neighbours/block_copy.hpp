@@ -34,8 +34,8 @@ void copy_rows(BlockMembers const& members, std::span<Vec3 const> q, Quantity co
   rows[n + 1] = __builtin_convertvector((Row{apart, 0, 0, 0}), AnyRow);
 }
 
-/// Rows in single precision, with the positions relative to the first one's. The phantoms stay where they are:
-/// as far away as particles can be, single precision would bring them together.
+/// Rows in single precision, with the positions relative to the first one's. The phantoms stay where they
+/// are: as far away as particles can be, single precision would bring them together.
 inline void round_rows(std::vector<Row> const& rows, std::vector<FloatRow>& rounded) {
   Row const origin{rows[0][0], rows[0][1], rows[0][2], 0};
   rounded.resize(rows.size());

@@ -117,8 +117,8 @@ void react(System& system, PrescribedBurn const& law, double) {
 /// heat of what burns up.
 void keep_balances(System& system) {
   auto& of = system.particles;
-  for_each_index(system.size(), system.threads, [&](std::size_t i) {
-    switch (system.thermodynamics->fate(of, static_cast<Index>(i))) {
+  auto const follow = [&](std::size_t i, MixtureFate fate) {
+    switch (fate) {
     case MixtureFate::goes_on:
       break;
     case MixtureFate::burns_up:
@@ -131,6 +131,12 @@ void keep_balances(System& system) {
     case MixtureFate::mixes_again:
       of.log_density_ratio[i] = 0; // a search will find it
     }
+  };
+  for_each_range(system, [&](Range range) {
+    std::array<MixtureFate, range_length> fates;
+    system.thermodynamics->fates(of, range, std::span(fates).first(range.end - range.begin));
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      follow(i, fates[i - range.begin]);
   });
 }
 

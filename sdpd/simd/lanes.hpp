@@ -74,6 +74,12 @@ template <class T>
 #endif
 }
 
+/// values[index[l]] lane by lane.
+[[gnu::always_inline]] inline Lanes gather(double const* values, std::uint32_t const* index) {
+  return Lanes{values[index[0]], values[index[1]], values[index[2]], values[index[3]],
+               values[index[4]], values[index[5]], values[index[6]], values[index[7]]};
+}
+
 /// Four quantities of eight particles: quantity[k][l] belongs to the particle of lane l.
 using RowLanes = std::array<Lanes, 4>;
 /// Eight quantities of eight particles.

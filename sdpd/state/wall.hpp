@@ -7,22 +7,36 @@
 
 namespace mesobridge::sdpd {
 
-/// The image of particle `of` behind a wall, as another particle sees it.
-struct WallImage {
-  std::uint32_t of;
-  Vec3 r; ///< from the image to the particle that sees it
+/// Images that particles see, those of one particle after those of another, in whole registers: what is left
+/// over of the last one of a particle holds phantoms, which count for nothing.
+struct WallImages {
+  std::vector<std::uint32_t> of; ///< whose image: a place among the layer's candidates, or past them
+  std::vector<double> x, y, z;   ///< from the image to the particle that sees it
 };
 
-/// The particles that see images behind a wall, or behind two or three where they meet, and those within
-/// their range, for the positions at the last sum of the densities (with a pair potential: of the forces).
-/// Kept so that no step allocates: `images` may be longer. Those that may come so near, `candidates`, are
-/// looked for when the neighbour lists were renewed or a wall has moved by half their skin.
+/// The particles that may see images behind a wall, or behind two or three where they meet, and those that
+/// do, for the positions at the last sum of the densities (with a pair potential: of the forces). Kept so
+/// that no step allocates. Who may come near, and near whose image, is looked for when the neighbour lists
+/// were renewed or a wall has moved by a part of their skin.
 struct WallLayer {
-  std::vector<std::uint32_t> particles;
-  std::vector<std::vector<WallImage>> images; ///< of each of them, its own among them
+  std::vector<std::uint32_t> particles; ///< within the range of the walls
+  std::vector<std::uint32_t> places;    ///< of each of them among the candidates
+  std::vector<std::uint32_t> counts;    ///< and how many images it sees, its own among them
+  WallImages images;
+
   std::vector<std::uint32_t> candidates;
+  std::vector<std::uint32_t> near;  ///< whose images each candidate may see, in whole registers
+  std::vector<std::size_t> begin;   ///< where those of each begin, and its images
   std::uint64_t renewal = 0;        ///< of the lists, and where the walls were, when they were found
   std::array<double, 3> position{}; ///< of the walls across x, y and z
+
+  /// Calls f(j, r) for the images that the k-th particle sees: whose, and r from the image to the particle.
+  template <class F>
+  void for_each_image(std::size_t k, F const& f) const {
+    auto const first = begin[places[k]];
+    for (std::size_t m = first; m < first + counts[k]; ++m)
+      f(candidates[images.of[m]], Vec3{images.x[m], images.y[m], images.z[m]});
+  }
 };
 
 /// What makes a wall rough: friction towards its velocity, with the noise of its temperature (sdpd/README.md,

@@ -122,6 +122,23 @@ auto MixedParticle::stiffness(double lambda, double rho, Split const& split) con
   return {(at.reactant.rho_P_rho / at.reactant.P).v[0], (at.product.rho_P_rho / at.product.P).v[0]};
 }
 
+auto MixedParticle::stiffnesses(Particles const& of, std::span<Index const> places) const -> Stiffnesses {
+  auto const& model = *model_;
+  auto const load = [&](std::vector<double> const& from) {
+    Pack some = from[places.back()];
+    for (std::size_t lane = 0; lane < places.size(); ++lane)
+      some.v[static_cast<int>(lane)] = from[places[lane]];
+    return some;
+  };
+  auto const at = model.packed().at(load(of.progress), load(of.rho) * model.rho_unit,
+                                    {load(of.T) * model.T_unit, load(of.log_density_ratio)});
+  Pack const reactant = at.reactant.rho_P_rho / at.reactant.P, product = at.product.rho_P_rho / at.product.P;
+  Stiffnesses found;
+  for (std::size_t lane = 0; lane < places.size(); ++lane)
+    found[lane] = {reactant.v[static_cast<int>(lane)], product.v[static_cast<int>(lane)]};
+  return found;
+}
+
 std::optional<double> MixedParticle::last_density(double lambda, double eps, double S, Split const& split,
                                                   double nearby) const try {
   constexpr int most_steps = 30;
@@ -150,9 +167,8 @@ PackMask MixedParticle::from_energy(Particles& of, PackedPlaces const& places) c
   auto const& model = *model_;
   auto const [lambda, density, guess] = model.load(of, places);
   auto const found = model.packed().from_energy(lambda, density, places.load(of.eps) * model.e_unit, guess);
-  Pack const s = model.packed().at(lambda, density, found.split).entropy();
   model.store(found, places, of);
-  places.store((s + model.entropy_of_place(density)) / model.s_unit, found.solved, of.S);
+  places.store((found.other + model.entropy_of_place(density)) / model.s_unit, found.solved, of.S);
   return found.solved;
 }
 
@@ -161,9 +177,8 @@ PackMask MixedParticle::from_entropy(Particles& of, PackedPlaces const& places) 
   auto const [lambda, density, guess] = model.load(of, places);
   Pack const s = places.load(of.S) * model.s_unit - model.entropy_of_place(density);
   auto const found = model.packed().from_entropy(lambda, density, s, guess);
-  Pack const e = model.packed().at(lambda, density, found.split).energy();
   model.store(found, places, of);
-  places.store(e / model.e_unit, found.solved, of.eps);
+  places.store(found.other / model.e_unit, found.solved, of.eps);
   return found.solved;
 }
 

@@ -5,8 +5,10 @@
 #include "sdpd/state/units.hpp"
 #include "sdpd/thermodynamics/packed_places.hpp"
 #include "sdpd/thermodynamics/thermodynamics.hpp"
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace mesobridge::sdpd {
 
@@ -51,6 +53,9 @@ class MixedParticle {
     double reactant, product;
   };
   Stiffness stiffness(double lambda, double rho, Split const& split) const;
+  /// Of as many particles as fill a register, or fewer, at their last states.
+  using Stiffnesses = std::array<Stiffness, fitting::Pack::size>;
+  Stiffnesses stiffnesses(Particles const& of, std::span<Index const> places) const;
   /// The density at which the mixture of this split has the energy and the entropy, which it has left at
   /// constant entropy for one nearby; nothing where there is none, such as after a change of the entropy.
   std::optional<double> last_density(double lambda, double eps, double S, Split const& split,

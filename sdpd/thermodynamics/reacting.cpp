@@ -33,30 +33,21 @@ class Reacting final : public Thermodynamics {
         product_(product_of(models, units, centre_of_mass)), mixed_(models, units, centre_of_mass) {}
 
   void from_entropy(Particles& of, Range range, Failure& failure) const override {
-    for_each_run(
-        of, range, [&](auto const& pure, Range run) { pure.from_entropy(of, run, failure); },
-        [&](Range run) {
-          renew(
-              of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_entropy(of, places); },
-              [&](std::size_t i) { from_entropy(of, i, failure); });
-        });
+    renew(
+        of, range, failure, [&](auto const& pure, Range run) { pure.from_entropy(of, run, failure); },
+        [&](PackedPlaces const& places) { return mixed_.from_entropy(of, places); },
+        [&](std::size_t i) { from_entropy(of, i, failure); });
   }
   void from_energy(Particles& of, Range range, Failure& failure) const override {
-    for_each_run(
-        of, range, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
-        [&](Range run) {
-          renew(
-              of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_energy(of, places); },
-              [&](std::size_t i) { from_energy(of, i, failure); });
-        });
+    renew(
+        of, range, failure, [&](auto const& pure, Range run) { pure.from_energy(of, run, failure); },
+        [&](PackedPlaces const& places) { return mixed_.from_energy(of, places); },
+        [&](std::size_t i) { from_energy(of, i, failure); });
   }
   void response(Particles& of, Range range, Failure& failure) const override {
-    for_each_run(
-        of, range, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
-        [&](Range run) {
-          renew(
-              of, run, failure, [](PackedPlaces const&) { return ~fitting::PackMask{}; }, [](std::size_t) {});
-        });
+    renew(
+        of, range, failure, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
+        [](PackedPlaces const&) { return ~fitting::PackMask{}; }, [](std::size_t) {});
   }
   void energy_from_temperature(Particles& of, Range range, Failure& failure) const override {
     for_each_run(
@@ -88,18 +79,29 @@ class Reacting final : public Thermodynamics {
     return 1 / mixed_.response(of.progress[i], of.rho[i], split(of, i)).caloric.inverse_C_0;
   }
   MixtureFate fate(Particles const& of, Index i) const override {
-    double const progress = of.progress[i];
-    if (progress < pure_below || progress > pure_above)
-      return MixtureFate::goes_on;
-    if (of.log_density_ratio[i] == no_product)
-      return progress >= hardly_burnt || mixes(of, i) ? MixtureFate::mixes_again : MixtureFate::goes_on;
-    bool const may_burn_up = progress >= nearly_burnt, may_wait = progress < hardly_burnt;
-    if (of.log_density_ratio[i] == 0 || !(may_burn_up || may_wait)) // 0: it becomes a mixture only now
-      return MixtureFate::goes_on;
-    auto const [reactant, product] = mixed_.stiffness(progress, of.rho[i], split(of, i));
-    if (may_burn_up && !(reactant > weak))
-      return MixtureFate::burns_up;
-    return may_wait && !(product > weak) ? MixtureFate::counts_as_reactant : MixtureFate::goes_on;
+    if (!may_end(of, i))
+      return fate_of_others(of, i);
+    return judged(of.progress[i], mixed_.stiffness(of.progress[i], of.rho[i], split(of, i)));
+  }
+  void fates(Particles const& of, Range range, std::span<MixtureFate> of_each) const override {
+    std::array<Index, fitting::Pack::size> some;
+    std::size_t count = 0;
+    auto const judge = [&] {
+      auto const found = mixed_.stiffnesses(of, std::span(some).first(count));
+      for (std::size_t k = 0; k < count; ++k)
+        of_each[some[k] - range.begin] = judged(of.progress[some[k]], found[k]);
+      count = 0;
+    };
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      if (may_end(of, i))
+        some[count++] = static_cast<Index>(i);
+      else
+        of_each[i - range.begin] = fate_of_others(of, i);
+      if (count == some.size())
+        judge();
+    }
+    if (count > 0)
+      judge();
   }
 
  private:
@@ -107,6 +109,25 @@ class Reacting final : public Thermodynamics {
   /// is stiffer.
   static constexpr double weak = 1, stiff = 1.5;
 
+  /// Whether a particle is a mixture of a progress at which its balance may come to an end.
+  static bool may_end(Particles const& of, std::size_t i) {
+    double const progress = of.progress[i];
+    return kind_of(of, i) == Kind::mixed && (progress >= nearly_burnt || progress < hardly_burnt) &&
+           of.log_density_ratio[i] != 0; // 0: it becomes a mixture only now
+  }
+  static MixtureFate judged(double progress, MixedParticle::Stiffness const& stiffness) {
+    if (progress >= nearly_burnt && !(stiffness.reactant > weak))
+      return MixtureFate::burns_up;
+    return progress < hardly_burnt && !(stiffness.product > weak) ? MixtureFate::counts_as_reactant
+                                                                  : MixtureFate::goes_on;
+  }
+  MixtureFate fate_of_others(Particles const& of, std::size_t i) const {
+    double const progress = of.progress[i];
+    bool const waits =
+        progress >= pure_below && progress <= pure_above && of.log_density_ratio[i] == no_product;
+    return waits && (progress >= hardly_burnt || mixes(of, i)) ? MixtureFate::mixes_again
+                                                               : MixtureFate::goes_on;
+  }
   /// Whether a particle that counts as reactant could be a mixture for some time.
   bool mixes(Particles const& of, std::size_t i) const {
     try {
@@ -168,22 +189,26 @@ class Reacting final : public Thermodynamics {
       failure.report(of.id[i], error.what());
     }
   }
-  /// Mixtures, many at once: solve(places) says which lanes it has solved, the others go the careful way,
-  /// alone(i), one by one, so that what becomes of a particle does not depend on its neighbours in memory.
-  template <class Solve, class Alone>
-  void renew(Particles& of, Range run, Failure& failure, Solve const& solve, Alone const& alone) const {
-    for (std::size_t first = run.begin; first < run.end; first += fitting::Pack::size) {
-      PackedPlaces const places(first, run.end);
-      places.for_each_outside(solve(places),
-                              [&](std::size_t i) { reported(of, i, failure, [&] { alone(i); }); });
-      places.for_each_outside(mixed_.response(of, places), [&](std::size_t i) {
-        if (kind_of(of, i) == Kind::mixed) // and has not just become a lone reactant
-          reported(of, i, failure, [&] {
-            auto const found = mixed_.response(of.progress[i], of.rho[i], split(of, i));
-            of.P[i] = found.P, of.caloric[i] = found.caloric;
-          });
-      });
-    }
+  /// Calls pure(model, run) for pure particles. Mixtures are done many at once: solve(places) says which
+  /// lanes it has solved, the others go the careful way, alone(i), one by one, so that what becomes of a
+  /// particle does not depend on its neighbours in memory.
+  template <class Pure, class Solve, class Alone>
+  void renew(Particles& of, Range range, Failure& failure, Pure const& pure, Solve const& solve,
+             Alone const& alone) const {
+    for_each_run(of, range, pure, [&](Range run) {
+      for (std::size_t first = run.begin; first < run.end; first += fitting::Pack::size) {
+        PackedPlaces const places(first, run.end);
+        places.for_each_outside(solve(places),
+                                [&](std::size_t i) { reported(of, i, failure, [&] { alone(i); }); });
+        places.for_each_outside(mixed_.response(of, places), [&](std::size_t i) {
+          if (kind_of(of, i) == Kind::mixed) // and has not just become a lone reactant
+            reported(of, i, failure, [&] {
+              auto const found = mixed_.response(of.progress[i], of.rho[i], split(of, i));
+              of.P[i] = found.P, of.caloric[i] = found.caloric;
+            });
+        });
+      }
+    });
   }
   /// Calls pure(model, run) and mixed(run) for neighbours in memory of the same kind.
   template <class Pure, class Mixed>

@@ -4,8 +4,10 @@
 #include "sdpd/state/failure.hpp"
 #include "sdpd/state/particles.hpp"
 #include "sdpd/state/units.hpp"
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace mesobridge::sdpd {
 
@@ -55,8 +57,12 @@ class Thermodynamics {
   /// Of particle i at its temperature.
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
 
-  /// What has to become of particle i, which reacts, so that it has a state next time, too.
+  /// What has to become of particle i, which reacts, so that it has a state next time, too; and of each of a
+  /// range.
   virtual MixtureFate fate(Particles const&, Index) const { return MixtureFate::goes_on; }
+  virtual void fates(Particles const&, Range, std::span<MixtureFate> of_each) const {
+    std::ranges::fill(of_each, MixtureFate::goes_on);
+  }
 };
 
 /// What a particle's equation of state says of its centre of mass, whose kinetic energy (3/2) k_B T and

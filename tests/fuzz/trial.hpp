@@ -13,7 +13,7 @@ class Random {
   explicit Random(std::uint64_t seed) : bits_(seed) {}
 
   std::size_t below(std::size_t end) { return static_cast<std::size_t>(bits_() % end); } ///< 0 ... end-1
-  double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; } ///< 0 ... 1
+  double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }                 ///< 0 ... 1
   bool chance(double probability) { return unit() < probability; }
   template <class T>
   T const& of(std::vector<T> const& list) {

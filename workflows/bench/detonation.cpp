@@ -84,25 +84,20 @@ Json time_detonation(sdpd::SimulationSettings const& ideal_gas, sdpd::Simulation
       fluid.times.ratio.push_back(fluid.times.cost.back() / fluids[0].times.cost.back());
     }
   Json rows = Json::array();
-  for (auto const& fluid : fluids)
-    rows.push_back({{"fluid", fluid.name},
-                    {"n", fluid.simulation.size()},
-                    {"us_per_particle_step", mean_of_repeats(fluid.times.cost)},
-                    {"ratio", mean_of_repeats(fluid.times.ratio)},
-                    {"ratio_se", standard_error_of_repeats(fluid.times.ratio)},
-                    {"neighbours", fluid.simulation.neighbours()},
-                    {"mixtures", mean_of_repeats(fluid.mixtures)}});
+  for (auto const& fluid : fluids) {
+    Json row{{"fluid", fluid.name}, {"n", fluid.simulation.size()}};
+    put_times(row, fluid.times);
+    row["neighbours"] = fluid.simulation.neighbours();
+    row["mixtures"] = mean_of_repeats(fluid.mixtures);
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 
 std::string detonation_times_text(Json const& rows) {
-  std::string text = fmt::format("{:<16} {:>20} {:>24} {:>12} {:>10}\n", "fluid", "us/(particle step)",
-                                 "times the ideal gas", "neighbours", "mixtures");
+  auto text = fmt::format("{} {:>10}\n", times_head("fluid", "times the ideal gas"), "mixtures");
   for (auto const& row : rows)
-    text += fmt::format("{:<16} {:>20.3f} {:>14.3f} +- {:.3f} {:>12.1f} {:>10.4f}\n",
-                        row["fluid"].get<std::string>(), row["us_per_particle_step"].get<double>(),
-                        row["ratio"].get<double>(), row["ratio_se"].get<double>(),
-                        row["neighbours"].get<double>(), row["mixtures"].get<double>());
+    text += fmt::format("{} {:>10.4f}\n", times_line(row, "fluid"), row["mixtures"].get<double>());
   return text;
 }
 

@@ -99,24 +99,21 @@ Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& tim
       times[k].ratio.push_back(times[k].cost.back() / times[0].cost.back());
     }
   Json rows = Json::array();
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-    rows.push_back({{"box", boxes[k].name()},
-                    {"us_per_particle_step", mean_of_repeats(times[k].cost)},
-                    {"ratio", mean_of_repeats(times[k].ratio)},
-                    {"ratio_se", standard_error_of_repeats(times[k].ratio)},
-                    {"neighbours", boxes[k].neighbours()},
-                    {"list_renewals_per_step", boxes[k].renewals_per_step()}});
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    Json row{{"box", boxes[k].name()}};
+    put_times(row, times[k]);
+    row["neighbours"] = boxes[k].neighbours();
+    row["list_renewals_per_step"] = boxes[k].renewals_per_step();
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 
 std::string faces_text(Json const& rows) {
-  std::string text = fmt::format("{:<16} {:>20} {:>22} {:>12} {:>14}\n", "box", "us/(particle step)",
-                                 "times the periodic one", "neighbours", "renewals/step");
+  auto text = fmt::format("{} {:>14}\n", times_head("box", "times the periodic one"), "renewals/step");
   for (auto const& row : rows)
-    text += fmt::format("{:<16} {:>20.3f} {:>12.3f} +- {:.3f} {:>12.1f} {:>14.3f}\n",
-                        row["box"].get<std::string>(), row["us_per_particle_step"].get<double>(),
-                        row["ratio"].get<double>(), row["ratio_se"].get<double>(),
-                        row["neighbours"].get<double>(), row["list_renewals_per_step"].get<double>());
+    text +=
+        fmt::format("{} {:>14.3f}\n", times_line(row, "box"), row["list_renewals_per_step"].get<double>());
   return text;
 }
 

@@ -1,8 +1,8 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/summary.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 
@@ -44,9 +44,7 @@ Result correlations(CgCorrelationsOptions const& options, Context const& context
 
 void declare(CLI::App& app, CgCorrelationsOptions& options) {
   auto& s = options.settings;
-  app.add_option("file", options.input, "What `md star-melt` or `cg blobs` wrote")
-      ->required()
-      ->type_name("FILE.h5");
+  add_blob_file(app, options.input);
   app.add_option("--h", options.h, "Range of the Lucy density (default: 10 at rho = 0.3 for 6-3)");
   app.add_option("--bin-width", s.bin_width, "Of g(r) (default 0.2)");
   app.add_option("--density-bins", s.density_bins, "Of <U>^rho (default 12)");

@@ -3,9 +3,9 @@
 #include "workflows/coarse/structure_of_blobs.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 namespace mesobridge::workflows {
@@ -75,9 +75,7 @@ Result potential(CgPotentialOptions const& options, Context const& context) {
 
 void declare(CLI::App& app, CgPotentialOptions& options) {
   auto& search = options.search;
-  app.add_option("file", options.input, "What `md star-melt` or `cg blobs` wrote")
-      ->required()
-      ->type_name("FILE.h5");
+  add_blob_file(app, options.input);
   app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
   app.add_option("--bin-width", options.width, "Of g(r) and the potential's rows (default 0.2)");
   app.add_option("--method", options.method,

@@ -31,15 +31,14 @@ Result chapman_jouguet(DetonationOptions const& options, Context const& context)
   auto const at_model_pressure = detonation_columns(explosive.from_model_pressure.chapman_jouguet());
   Result result;
   result.json = options.names();
-  put_first_row(result.json, columns, reduced);
+  tell_first_row(result, columns, reduced);
   result.json["q" + std::string(reduced ? "" : "_J_kg")] = options.q;
   result.json["P0" + std::string(reduced ? "" : "_Pa")] = options.P0.value_or(0);
   result.json["tangency_error"] = checks.tangency;
   result.json["least_excess_of_D_nearby"] = checks.neighbours;
   put_first_row(result.json["reactant_model_at_rest"], state_columns({explosive.at_rest}), reduced);
   put_first_row(result.json["from_pressure_of_reactant_model"], at_model_pressure, reduced);
-  result.text =
-      lines_text(columns, reduced) +
+  result.text +=
       fmt::format("From the pressure {:.6g} that the reactant's model has at rest instead of {:.6g}: "
                   "D = {:.6g}\n",
                   explosive.at_rest.P, options.P0.value_or(0), *at_model_pressure[0].values[0]);

@@ -41,9 +41,7 @@ Result crussard(EosCrussardOptions const& options, Context const& context) {
   result.json = options.detonation.names();
   if (asked) {
     warn_outside_data(explosive.product, asked->behind.rho, asked->behind.T, context);
-    auto const columns = shock_columns({*asked});
-    put_first_row(result.json, columns, reduced);
-    result.text = lines_text(columns, reduced);
+    tell_first_row(result, shock_columns({*asked}), reduced);
   }
   put_first_row(result.json["constant_volume"], state_columns({explosive.crussard.constant_volume_state()}),
                 reduced);

@@ -21,10 +21,9 @@ Result explosion(EosExplosionOptions const& options, Context const& context) {
   Result result;
   result.json = options.explosive.detonation.names();
   result.json["lambda"] = options.lambda;
-  put_first_row(result.json, columns, false);
+  tell_first_row(result, columns, false);
   result.json["q_J_kg"] = fluid.q;
   put_first_row(result.json["at_rest"], state_columns({rest}), false);
-  result.text = lines_text(columns, false);
   return result;
 }
 

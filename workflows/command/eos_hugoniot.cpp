@@ -45,9 +45,7 @@ Result hugoniot(EosHugoniotOptions const& options, Context const& context) {
   Result result;
   result.json["model"] = options.eos.model;
   if (asked) {
-    auto const columns = shock_columns({*asked});
-    put_first_row(result.json, columns, model.reduced);
-    result.text = lines_text(columns, model.reduced);
+    tell_first_row(result, shock_columns({*asked}), model.reduced);
   }
   put_first_row(result.json["ahead"], state_columns({hugoniot.ahead()}), model.reduced);
   if (!options.shock.P_max && !context.options.output)

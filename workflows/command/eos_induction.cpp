@@ -26,11 +26,10 @@ Columns times(fitting::ThermalExplosion const& explosion) {
 
 void put_explosion(Result& result, Columns const& columns, double rho,
                    fitting::ThermalExplosion const& explosion) {
-  put_first_row(result.json, columns, false);
+  tell_first_row(result, columns, false);
   put_first_row(result.json["exploded"], mixture_columns(rho, explosion.end), false);
-  result.text = lines_text(columns, false) +
-                fmt::format("After the explosion: T = {:.6g} K, P = {:.6g} Pa at {:.6g} kg/m^3\n",
-                            explosion.end.T, explosion.end.P, rho);
+  result.text += fmt::format("After the explosion: T = {:.6g} K, P = {:.6g} Pa at {:.6g} kg/m^3\n",
+                             explosion.end.T, explosion.end.P, rho);
 }
 
 Result induction(EosInductionOptions const& options, Context const& context) {

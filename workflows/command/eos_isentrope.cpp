@@ -69,9 +69,8 @@ Result isentrope(EosIsentropeOptions const& options, Context const& context) {
   auto const columns = along(isentrope, to, options.points), end = last_row(columns);
   Result result;
   result.json["model"] = options.eos.model;
-  put_first_row(result.json, end, model.reduced);
+  tell_first_row(result, end, model.reduced);
   put_first_row(result.json["from"], state_columns({isentrope.from()}), model.reduced);
-  result.text = lines_text(end, model.reduced);
   put_curve(context, result, columns, model.reduced, [&] { return isentrope_plot(model, columns); });
   return result;
 }

@@ -61,8 +61,7 @@ Result profile(EosProfileOptions const& options, Context const& context) {
   auto const columns = profile_columns(profile);
   Result result;
   result.json["model"] = options.eos.model;
-  put_first_row(result.json, head, model.reduced);
-  result.text = lines_text(head, model.reduced);
+  tell_first_row(result, head, model.reduced);
   put_curve(context, result, columns, model.reduced, [&] { return profile_plot(model, profile); });
   return result;
 }

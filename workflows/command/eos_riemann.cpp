@@ -97,12 +97,11 @@ Result riemann(EosRiemannOptions const& options, Context const& context) {
   warn_outside_data(right, options.right.rho, options.right.T, context);
   Columns const head{{"P", "_Pa", "Pa", {solution.P()}}, {"u", "_m_s", "m/s", {solution.u()}}};
   Result result;
-  put_first_row(result.json, head, reduced);
+  tell_first_row(result, head, reduced);
   result.json["left_wave"] = wave_json(solution.left_wave(), solution.left_shock(), reduced);
   result.json["right_wave"] = wave_json(solution.right_wave(), solution.right_shock(), reduced);
   put_first_row(result.json["left_of_contact"], state_columns({solution.left_of_contact()}), reduced);
   put_first_row(result.json["right_of_contact"], state_columns({solution.right_of_contact()}), reduced);
-  result.text = lines_text(head, reduced);
   for (auto const* name : {"left_wave", "right_wave"})
     result.text += fmt::format("{:<12} {}\n", name, result.json[name].dump());
   auto const columns = flow_columns(solution, options.points);

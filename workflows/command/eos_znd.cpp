@@ -95,7 +95,7 @@ Result znd(EosZndOptions const& options, Context const& context) {
   auto const columns = zone_columns(points);
   Result result;
   result.json = options.explosive.detonation.names();
-  put_first_row(result.json, head, false);
+  tell_first_row(result, head, false);
   result.json["q_J_kg"] = fluid.q;
   result.json["P0_Pa"] = fluid.at_rest.P;
   result.json["order"] = options.kinetics.order;
@@ -105,9 +105,9 @@ Result znd(EosZndOptions const& options, Context const& context) {
   put_first_row(result.json["chapman_jouguet"], shock_columns({cj}), false);
   put_first_row(result.json["end"], shock_columns({zone.D() > cj.v_S ? crussard.from_speed(zone.D()) : cj}),
                 false);
-  result.text = lines_text(head, false) +
-                fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",
-                            fitting::zone_begin, fitting::zone_end, fluid.at_rest.P);
+  result.text +=
+      fmt::format("The zone reaches from lambda = {} to {}; the state at rest has P = {:.6g} Pa.\n",
+                  fitting::zone_begin, fitting::zone_end, fluid.at_rest.P);
   auto const title =
       fmt::format("Reaction zone of {}: D = {:.5g} m/s", options.explosive.detonation.reactant, zone.D());
   put_curve(context, result, columns, false, [&] { return zone_plot(title, points); });

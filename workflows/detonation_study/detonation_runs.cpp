@@ -165,4 +165,15 @@ Json row_json(DetonationRow const& row) {
   return json;
 }
 
+Reproduced reproduced(std::string const& title, std::string const& lead,
+                      std::vector<DetonationRow> const& rows, Section first) {
+  Reproduced found;
+  for (auto const& row : rows)
+    found.summary["rows"].push_back(row_json(row));
+  found.report.title = title, found.report.lead = lead;
+  found.report.sections = {std::move(first)};
+  found.report.sources = {"Faure 2017"};
+  return found;
+}
+
 } // namespace mesobridge::workflows

@@ -48,4 +48,8 @@ std::vector<DetonationRow> run_detonations(std::string const& title, std::vector
 /// model "SDPD", K, Z_per_s, D_m_s, zone_m ... with _se, or `failure`.
 Json row_json(DetonationRow const& row);
 
+/// All rows as JSON, and a report that begins with the given section.
+Reproduced reproduced(std::string const& title, std::string const& lead,
+                      std::vector<DetonationRow> const& rows, Section first);
+
 } // namespace mesobridge::workflows

@@ -91,17 +91,15 @@ std::string csv_text(Columns const& columns, bool reduced) {
   return text + "\n";
 }
 
-std::string lines_text(Columns const& columns, bool reduced) {
-  require_numbers(columns);
-  std::string text;
+void tell_first_row(Result& result, Columns const& columns, bool reduced) {
+  put_first_row(result.json, columns, reduced);
   constexpr std::size_t least_width = 12;
   auto const width = std::max(
       least_width, std::ranges::max(columns, {}, [](auto const& c) { return c.key.size(); }).key.size());
   for (auto const& c : columns)
     if (auto const value = c.values.front())
-      text += fmt::format("{:<{}} {:<24} {}\n", c.key, width, fmt::format("{:.10g}", *value),
-                          reduced ? "" : c.unit);
-  return text;
+      result.text += fmt::format("{:<{}} {:<24} {}\n", c.key, width, fmt::format("{:.10g}", *value),
+                                 reduced ? "" : c.unit);
 }
 
 } // namespace mesobridge::workflows

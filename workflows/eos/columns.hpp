@@ -33,7 +33,7 @@ Json arrays(Columns const& columns, bool reduced);
 /// A head of keys, then comma-separated rows, with the shortest texts that read back to the same numbers;
 /// empty where absent.
 std::string csv_text(Columns const& columns, bool reduced);
-/// The first row for people, a line a quantity.
-std::string lines_text(Columns const& columns, bool reduced);
+/// The first row as a result: its scalars, and for people a line a quantity.
+void tell_first_row(Result& result, Columns const& columns, bool reduced);
 
 } // namespace mesobridge::workflows

@@ -22,26 +22,13 @@ struct Drawn {
   double unit; ///< SI units in one unit of the axis
 };
 
-Drawn drawn(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::rho:
-    return {"rho [kg/m³]", 1};
-  case Quantity::T:
-    return {"T [K]", 1};
-  case Quantity::e:
-    return {"e [MJ/kg]", 1e6};
-  case Quantity::P:
-    return {"P [GPa]", 1e9};
-  case Quantity::c_v:
-    return {"c_v [J/(kg K)]", 1};
-  case Quantity::sound_speed:
-    return {"sound speed [km/s]", 1e3};
-  case Quantity::v_P:
-    return {"v_P [km/s]", 1e3};
-  case Quantity::v_S:
-    return {"v_S [km/s]", 1e3};
-  }
-  throw std::logic_error("a quantity without label");
+Drawn const& drawn(Quantity quantity) {
+  static std::map<Quantity, Drawn> const all{
+      {Quantity::rho, {"rho [kg/m³]", 1}},    {Quantity::T, {"T [K]", 1}},
+      {Quantity::e, {"e [MJ/kg]", 1e6}},      {Quantity::P, {"P [GPa]", 1e9}},
+      {Quantity::c_v, {"c_v [J/(kg K)]", 1}}, {Quantity::sound_speed, {"sound speed [km/s]", 1e3}},
+      {Quantity::v_P, {"v_P [km/s]", 1e3}},   {Quantity::v_S, {"v_S [km/s]", 1e3}}};
+  return all.at(quantity);
 }
 
 std::optional<double> given(Observation const& observation, Quantity quantity) {

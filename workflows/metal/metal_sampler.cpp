@@ -28,9 +28,9 @@ std::vector<MetalSeries> kept_series(MetalJob const& job) {
     return {};
   auto data = read_metal_file(job.runs);
   if (data.fingerprint != fingerprint(job.settings))
-    throw InputError(
-        fmt::format("--resume: '{}' was made with other settings ({}); without --resume it is moved into a backup",
-                    job.runs.string(), data.fingerprint));
+    throw InputError(fmt::format(
+        "--resume: '{}' was made with other settings ({}); without --resume it is moved into a backup",
+        job.runs.string(), data.fingerprint));
   std::erase_if(data.series, [](MetalSeries const& series) { return !series.end; });
   return std::move(data.series);
 }

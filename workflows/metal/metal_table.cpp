@@ -14,69 +14,73 @@ struct Column {
   std::function<double(Point const&)> of;
 };
 
+/// The columns of a table, in their order.
+template <class Point>
+struct Columns : std::vector<Column<Point>> {
+  template <class Of>
+  Columns&& with(std::string const& name, Of const& of) && {
+    this->push_back({name, [of](Point const& p) { return std::invoke(of, p); }});
+    return std::move(*this);
+  }
+  /// An estimate's mean, and its standard error beside it.
+  Columns&& with(std::string const& name, std::string const& unit, cg::Estimate Point::*of) && {
+    return std::move(*this)
+        .with(name + unit, [of](Point const& p) { return (p.*of).mean; })
+        .with(name + "_se" + unit, [of](Point const& p) { return (p.*of).se; });
+  }
+};
+
 using Point = cg::MetalPoint;
 using Shocked = cg::HugoniotPoint;
 
-std::vector<Column<Point>> const& grid_columns() {
-  static std::vector<Column<Point>> const list{
-      {"rho_kg_m3", [](Point const& p) { return p.state.rho; }},
-      {"T_K", [](Point const& p) { return p.state.T; }},
-      {"P_Pa", [](Point const& p) { return p.P.mean; }},
-      {"P_se_Pa", [](Point const& p) { return p.P.se; }},
-      {"e_J_kg", [](Point const& p) { return p.e.mean; }},
-      {"e_se_J_kg", [](Point const& p) { return p.e.se; }},
-  };
+Columns<Point> const& grid_columns() {
+  static auto const list = Columns<Point>()
+                               .with("rho_kg_m3", [](Point const& p) { return p.state.rho; })
+                               .with("T_K", [](Point const& p) { return p.state.T; })
+                               .with("P", "_Pa", &Point::P)
+                               .with("e", "_J_kg", &Point::e);
   return list;
 }
 
 /// What the CSV leaves out.
-std::vector<Column<Point>> const& further_grid_columns() {
-  static std::vector<Column<Point>> const list{
-      {"P_e_correlation", [](Point const& p) { return p.cov_eP / (p.P.se * p.e.se); }},
-      {"T_kin_K", [](Point const& p) { return p.T_kin.mean; }},
-      {"T_kin_se_K", [](Point const& p) { return p.T_kin.se; }},
-      {"c_v_J_kg_K", [](Point const& p) { return p.c_v.mean; }},
-      {"c_v_se_J_kg_K", [](Point const& p) { return p.c_v.se; }},
-      {"lattice_order", [](Point const& p) { return p.end.lattice_order; }},
-      {"displacement_2", [](Point const& p) { return p.displacement_2; }},
-      {"part_beyond_table", [](Point const& p) { return p.end.part_beyond_table; }},
-      {"n_eff_P", [](Point const& p) { return p.P.n_eff; }},
-      {"n_eff_e", [](Point const& p) { return p.e.n_eff; }},
-  };
+Columns<Point> const& further_grid_columns() {
+  static auto const list =
+      Columns<Point>()
+          .with("P_e_correlation", [](Point const& p) { return p.cov_eP / (p.P.se * p.e.se); })
+          .with("T_kin", "_K", &Point::T_kin)
+          .with("c_v", "_J_kg_K", &Point::c_v)
+          .with("lattice_order", [](Point const& p) { return p.end.lattice_order; })
+          .with("displacement_2", &Point::displacement_2)
+          .with("part_beyond_table", [](Point const& p) { return p.end.part_beyond_table; })
+          .with("n_eff_P", [](Point const& p) { return p.P.n_eff; })
+          .with("n_eff_e", [](Point const& p) { return p.e.n_eff; });
   return list;
 }
 
-std::vector<Column<Shocked>> const& hugoniot_columns() {
-  static std::vector<Column<Shocked>> const list{
-      {"rho0_kg_m3", [](Shocked const& p) { return p.initial.rho; }},
-      {"T0_K", [](Shocked const& p) { return p.initial.T; }},
-      {"P0_Pa", [](Shocked const& p) { return p.P0.mean; }},
-      {"P0_se_Pa", [](Shocked const& p) { return p.P0.se; }},
-      {"v_P_m_s", [](Shocked const& p) { return p.v_P.mean; }},
-      {"v_P_se_m_s", [](Shocked const& p) { return p.v_P.se; }},
-      {"v_S_m_s", [](Shocked const& p) { return p.v_S.mean; }},
-      {"v_S_se_m_s", [](Shocked const& p) { return p.v_S.se; }},
-      {"rho_kg_m3", [](Shocked const& p) { return p.rho; }},
-      {"P_Pa", [](Shocked const& p) { return p.P.mean; }},
-      {"P_se_Pa", [](Shocked const& p) { return p.P.se; }},
-      {"T_K", [](Shocked const& p) { return p.T.mean; }},
-      {"T_se_K", [](Shocked const& p) { return p.T.se; }},
-      {"e_J_kg", [](Shocked const& p) { return p.e.mean; }},
-      {"e_se_J_kg", [](Shocked const& p) { return p.e.se; }},
-  };
+Columns<Shocked> const& hugoniot_columns() {
+  static auto const list = Columns<Shocked>()
+                               .with("rho0_kg_m3", [](Shocked const& p) { return p.initial.rho; })
+                               .with("T0_K", [](Shocked const& p) { return p.initial.T; })
+                               .with("P0", "_Pa", &Shocked::P0)
+                               .with("v_P", "_m_s", &Shocked::v_P)
+                               .with("v_S", "_m_s", &Shocked::v_S)
+                               .with("rho_kg_m3", &Shocked::rho)
+                               .with("P", "_Pa", &Shocked::P)
+                               .with("T", "_K", &Shocked::T)
+                               .with("e", "_J_kg", &Shocked::e);
   return list;
 }
 
-std::vector<Column<Shocked>> const& further_hugoniot_columns() {
-  static std::vector<Column<Shocked>> const list{
-      {"v_S_v_P_correlation", [](Shocked const& p) { return p.cov_vSvP / (p.v_S.se * p.v_P.se); }},
-      {"chi_2", [](Shocked const& p) { return p.chi_2; }},
-  };
+Columns<Shocked> const& further_hugoniot_columns() {
+  static auto const list =
+      Columns<Shocked>()
+          .with("v_S_v_P_correlation", [](Shocked const& p) { return p.cov_vSvP / (p.v_S.se * p.v_P.se); })
+          .with("chi_2", &Shocked::chi_2);
   return list;
 }
 
 template <class P>
-std::string csv(std::vector<Column<P>> const& columns, std::span<P const> points) {
+std::string csv(Columns<P> const& columns, std::span<P const> points) {
   std::string text;
   for (auto const& column : columns)
     text += (text.empty() ? "" : ",") + column.name;
@@ -91,7 +95,7 @@ std::string csv(std::vector<Column<P>> const& columns, std::span<P const> points
 }
 
 template <class P>
-Json json(std::initializer_list<std::vector<Column<P>> const*> lists, P const& point) {
+Json json(std::initializer_list<Columns<P> const*> lists, P const& point) {
   Json object = Json::object();
   for (auto const* columns : lists)
     for (auto const& column : *columns)
@@ -102,7 +106,7 @@ Json json(std::initializer_list<std::vector<Column<P>> const*> lists, P const& p
 
 template <class P>
 void write_table(std::filesystem::path const& file, std::string const& group,
-                 std::initializer_list<std::vector<Column<P>> const*> lists, std::span<P const> points,
+                 std::initializer_list<Columns<P> const*> lists, std::span<P const> points,
                  std::string const& description, Provenance const& provenance) {
   Store store(file, Store::Mode::create);
   write_provenance(store, provenance);

@@ -131,31 +131,23 @@ Reproduced found_by(std::string const& title, std::string const& lead, std::vect
                     PublishedTable const& printed,
                     std::function<std::pair<std::string, std::string>(DetonationRow const&)> const& of_row,
                     std::string const& profiles_caption) {
-  Reproduced found;
-  for (auto const& row : rows)
-    found.summary["rows"].push_back(row_json(row));
+  auto found =
+      reproduced(title, lead, rows, {"Detonations", {table_of(rows, of_row), Paragraph{printed.source}}});
   auto& report = found.report;
-  report.title = title, report.lead = lead;
   report.verdicts = verdicts_of(rows);
-  report.sections = {{"Detonations", {table_of(rows, of_row), Paragraph{printed.source}}}};
   if (std::ranges::any_of(rows, [](auto const& row) { return !row.failed(); }))
     report.sections.push_back({"Profiles", {profiles_figure(rows, profiles_caption), volume_figure(rows)}});
-  report.sources = {"Faure 2017"};
   return found;
 }
 
 std::string const lead =
-    "Nitromethane of 1104 kg/m^3 and 300 K between two mirrors; a layer of 24 mean "
-    "distances between particles at the "
-    "lower end begins as the products of Chapman and Jouguet, in motion. (The thesis's "
-    "layer of 1869 kg/m^3 and 2330 K, "
-    "at rest, did not set it off here: it burnt, and its shock died away.) The velocity "
-    "of the detonation, beside that of "
-    "Chapman and Jouguet by the same equations of state, and the length of its reaction "
-    "zone beside that of Zel'dovich, "
-    "von Neumann and Doering with the same kinetics. The quick preset's boxes are 260 mean distances long "
-    "(the thesis's "
-    "594): the rarefaction follows the zone so closely that a broad front has not yet come to its velocity.";
+    "Nitromethane of 1104 kg/m^3 and 300 K between two mirrors; a layer of 24 mean distances between "
+    "particles at the lower end begins as the products of Chapman and Jouguet, in motion. (The thesis's "
+    "layer of 1869 kg/m^3 and 2330 K, at rest, did not set it off here: it burnt, and its shock died "
+    "away.) The velocity of the detonation, beside that of Chapman and Jouguet by the same equations of "
+    "state, and the length of its reaction zone beside that of Zel'dovich, von Neumann and Doering with "
+    "the same kinetics. The quick preset's boxes are 260 mean distances long (the thesis's 594): the "
+    "rarefaction follows the zone so closely that a broad front has not yet come to its velocity.";
 
 } // namespace
 

@@ -92,25 +92,12 @@ Figure pictures_of(std::vector<DetonationCase> const& cases, ReproduceOptions co
   return figure;
 }
 
-Reproduced with_rows(std::string const& title, std::string const& lead,
-                     std::vector<DetonationRow> const& rows) {
-  Reproduced found;
-  for (auto const& row : rows)
-    found.summary["rows"].push_back(row_json(row));
-  found.report.title = title, found.report.lead = lead;
-  found.report.sections = {{"Transitions", {table_of(rows)}}};
-  found.report.sources = {"Faure 2017"};
-  return found;
-}
-
 std::string const lead =
     "A piston at 1764 m/s drives a shock into nitromethane of 1104 kg/m^3 and 300 K, which becomes a "
-    "detonation. "
-    "Without walls the shocked fluid would need 189 ps before it explodes. A piston that starts at once "
-    "overheats what "
-    "stands before it, for ever, and there the detonation begins: the time to detonation measures the start. "
-    "So both "
-    "are shown: at once, as in the thesis, and over a ramp of 8 l/v_S, which overheats little.";
+    "detonation. Without walls the shocked fluid would need 189 ps before it explodes. A piston that "
+    "starts at once overheats what stands before it, for ever, and there the detonation begins: the time "
+    "to detonation measures the start. So both are shown: at once, as in the thesis, and over a ramp of 8"
+    " l/v_S, which overheats little.";
 
 } // namespace
 
@@ -122,7 +109,8 @@ Reproduced reproduce_figure_6_10(ReproduceOptions const& options, Context const&
     for (double const K : sizes)
       cases.push_back(case_of(K, Z_usual, start, options));
   auto const rows = run_detonations("Shock to detonation", cases, options, context);
-  auto found = with_rows("Figures 6.7, 6.9 and 6.10: from a shock to a detonation", lead, rows);
+  auto found = reproduced("Figures 6.7, 6.9 and 6.10: from a shock to a detonation", lead, rows,
+                          {"Transitions", {table_of(rows)}});
   auto& sections = found.report.sections;
   sections.push_back(
       {"Figure 6.10",
@@ -143,8 +131,8 @@ Reproduced reproduce_figure_6_13(ReproduceOptions const& options, Context const&
   for (double const Z : {5e14, 1e15, 2e15})
     cases.push_back(case_of(100, Z, at_once, options));
   auto const rows = run_detonations("Shock to detonation over Z", cases, options, context);
-  auto found =
-      with_rows("Figure 6.13: from a shock to a detonation, over the prefactor of the rate", lead, rows);
+  auto found = reproduced("Figure 6.13: from a shock to a detonation, over the prefactor of the rate", lead,
+                          rows, {"Transitions", {table_of(rows)}});
   found.report.sections.push_back(
       {"Figure 6.13",
        {ways(

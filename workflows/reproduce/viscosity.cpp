@@ -72,21 +72,24 @@ Json json_of(Row const& row) {
 }
 
 std::string csv_of(std::vector<Row> const& rows) {
-  std::string text = "method,K,neighbours,unit,asked,mean_field,viscosity,viscosity_se,T_kin_over_T,amplitude\n";
+  std::string text =
+      "method,K,neighbours,unit,asked,mean_field,viscosity,viscosity_se,T_kin_over_T,amplitude\n";
   for (auto const& row : rows)
     if (row.found)
       text += fmt::format("{},{},{:.4g},{},{},{:.6g},{:.6g},{:.3g},{:.5g},{:.3g}\n", row.of.name,
                           row.is_sdpd() ? fmt::format("{:g}", row.of.K) : "", row.of.neighbours,
                           row.is_sdpd() ? "Pa s" : "reduced",
                           row.asked() ? fmt::format("{:g}", *row.asked()) : "", row.mean_field.sum(),
-                          row.found->viscosity.mean, row.found->viscosity.se, row.found->T_kin.mean, row.found->amplitude);
+                          row.found->viscosity.mean, row.found->viscosity.se, row.found->T_kin.mean,
+                          row.found->amplitude);
   return text;
 }
 
 Table table_of(std::vector<Row> const& rows) {
   Table table{.header = {"method", "K", "neighbours", "asked", "mean field", "measured", "measured / asked"},
               .rows = {},
-              .caption = "SDPD of argon at 1150 kg/m³ and 1000 K with Wendland's C4 kernel [Pa s]; DPD and DPDE: a = 25, γ = 4.5, "
+              .caption = "SDPD of argon at 1150 kg/m³ and 1000 K with Wendland's C4 kernel [Pa s]; DPD and "
+                         "DPDE: a = 25, γ = 4.5, "
                          "ρ = 3, k_B T = 1. Mean field: friction and motion of a fluid without structure "
                          "(sdpd/README.md, Eq. (S55)). What is measured beyond it comes from the forces."};
   for (auto const& row : rows) {
@@ -146,12 +149,13 @@ Reproduced reproduce_viscosity(ReproduceOptions const& options, Context const& c
   if (auto const plot = plot_of(rows); !plot.panels[0].series.empty())
     section.content.emplace_back(Figure{{draw_svg(plot)}, "With standard errors."});
   section.content.emplace_back(Files{{{"viscosity.csv", "the table"}}});
-  found.report = {.title = "The viscosity that particle fluids have",
-                  .lead = "Measured in periodic boxes by a wave of body force (sdpd/README.md, Eq. (S54)), beside "
-                          "the viscosity asked for.",
-                  .verdicts = {},
-                  .sections = {std::move(section)},
-                  .provenance = {}};
+  found.report = {
+      .title = "The viscosity that particle fluids have",
+      .lead = "Measured in periodic boxes by a wave of body force (sdpd/README.md, Eq. (S54)), beside "
+              "the viscosity asked for.",
+      .verdicts = {},
+      .sections = {std::move(section)},
+      .provenance = {}};
   return found;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// In DPD particles fly half a cut-off, a spacing, before friction stops them: their wave is to be long.
 constexpr std::array<std::uint32_t, 3> lattice{7, 7, 20}, long_lattice{7, 7, 40};
-constexpr std::uint64_t every = 4; ///< steps between two looks
+constexpr std::uint64_t every = 4;       ///< steps between two looks
 constexpr double wanted_amplitude = 0.7; ///< of the flow, over the thermal velocity
 
 /// Amplitudes of the wave of velocity and temperatures without it, look by look.
@@ -26,7 +26,9 @@ class Wave {
 
   double thermal() const { return thermal_; }
   /// The acceleration that a fluid of this viscosity answers with this amplitude.
-  double force(double viscosity, double amplitude) const { return k_ * k_ * viscosity * amplitude / density_; }
+  double force(double viscosity, double amplitude) const {
+    return k_ * k_ * viscosity * amplitude / density_;
+  }
   double viscosity(double force, double amplitude) const { return density_ * force / (k_ * k_ * amplitude); }
 
   void look(sdpd::Simulation const& simulation, Looks& looks) const {
@@ -112,7 +114,8 @@ MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double ti
   auto push = [&](double force) {
     settings.body_force = {.acceleration = {force * force_unit, 0, 0}, .across = 2, .waves = 1};
   };
-  double force = wave.force(sdpd::mean_field_viscosity(settings).sum() / units.viscosity(), wanted_amplitude * wave.thermal());
+  double force = wave.force(sdpd::mean_field_viscosity(settings).sum() / units.viscosity(),
+                            wanted_amplitude * wave.thermal());
   push(force);
   sdpd::Simulation first(settings);
   sdpd::equilibrate(first, static_cast<std::uint64_t>(0.2 * time / settings.dt), keep_going);
@@ -127,9 +130,10 @@ MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double ti
   auto const start = std::max(cg::detect_equilibration(looks.amplitude).start, looks.amplitude.size() / 10);
   auto const amplitude = settled_mean(looks.amplitude, start), T = settled_mean(looks.T_kin, start);
   if (!(amplitude.mean > 4 * amplitude.se))
-    throw PhysicsError(fmt::format("it does not flow: the velocity that the force makes is {:.2g} ± {:.2g} of the "
-                                   "thermal one. Its particles have come to rest in an order of their own",
-                                   amplitude.mean / wave.thermal(), amplitude.se / wave.thermal()));
+    throw PhysicsError(
+        fmt::format("it does not flow: the velocity that the force makes is {:.2g} ± {:.2g} of the "
+                    "thermal one. Its particles have come to rest in an order of their own",
+                    amplitude.mean / wave.thermal(), amplitude.se / wave.thermal()));
   double const eta = wave.viscosity(force, amplitude.mean) * units.viscosity();
   return {.viscosity = {eta, eta * amplitude.se / amplitude.mean, amplitude.n_eff},
           .T_kin = T,

@@ -7,9 +7,9 @@ namespace mesobridge::workflows {
 
 /// One fluid whose viscosity is to be measured in a periodic box.
 struct ViscosityCase {
-  std::string name;   ///< "sdpd", "dpd", "dpde"
-  double K = 0;       ///< SDPD
-  double neighbours = 0; ///< within the range
+  std::string name;                  ///< "sdpd", "dpd", "dpde"
+  double K = 0;                      ///< SDPD
+  double neighbours = 0;             ///< within the range
   sdpd::SimulationSettings settings; ///< along z the box holds one wave; no body force yet
 };
 
@@ -24,7 +24,8 @@ double relaxation_time(sdpd::SimulationSettings const& settings);
 
 /// Pushes the fluid by a wave of body force (sdpd/README.md, Eq. (S54)) and takes the viscosity from the
 /// amplitude of the flow, which a first part of a quarter of the `time` [reduced] brings to 0.7 times the
-/// thermal velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does, and where nothing flows.
+/// thermal velocity. Throws Interrupted when `keep_going` says no, PhysicsError as the engine does, and where
+/// nothing flows.
 MeasuredViscosity measure_viscosity(sdpd::SimulationSettings settings, double time,
                                     std::function<bool()> const& keep_going);
 

@@ -218,30 +218,22 @@ OutputUnits::OutputUnits(sdpd::ReducedUnits const& reduced, UnitSystem system)
 }
 
 std::pair<double, std::string> OutputUnits::of(Dimension dimension) const {
-  switch (dimension) {
-  case Dimension::number:
-    return {1, ""};
-  case Dimension::time:
-    return {time, time_key};
-  case Dimension::length:
-    return {length, length_key};
-  case Dimension::velocity:
-    return {velocity, velocity_key};
-  case Dimension::momentum:
-    return {momentum, momentum_key};
-  case Dimension::energy:
-    return {energy, energy_key};
-  case Dimension::density:
-    return {density, density_key};
-  case Dimension::entropy:
-    return {entropy, entropy_key};
-  case Dimension::temperature:
-    return {temperature, temperature_key};
-  case Dimension::pressure:
-    return {pressure, pressure_key};
-  default:
-    throw std::logic_error("nothing that a run writes has this dimension");
-  }
+  struct Unit {
+    Dimension dimension;
+    double value;
+    std::string const& key;
+  };
+  static std::string const none;
+  for (auto const& unit :
+       {Unit{Dimension::number, 1, none}, Unit{Dimension::time, time, time_key},
+        Unit{Dimension::length, length, length_key}, Unit{Dimension::velocity, velocity, velocity_key},
+        Unit{Dimension::momentum, momentum, momentum_key}, Unit{Dimension::energy, energy, energy_key},
+        Unit{Dimension::density, density, density_key}, Unit{Dimension::entropy, entropy, entropy_key},
+        Unit{Dimension::temperature, temperature, temperature_key},
+        Unit{Dimension::pressure, pressure, pressure_key}})
+    if (unit.dimension == dimension)
+      return {unit.value, unit.key};
+  throw std::logic_error("nothing that a run writes has this dimension");
 }
 
 } // namespace mesobridge::workflows

@@ -13,8 +13,8 @@ class FileLock {
   /// Who writes waits for the dying; who reads meets the living, and soon says so. In seconds.
   static constexpr double usual_patience(Kind kind) { return kind == Kind::exclusive ? 15 : 2; }
 
-  /// Throws EnvironmentError when the file cannot be opened (to write, for an exclusive lock) or locked, or is
-  /// still locked by another after `patience` seconds.
+  /// Throws EnvironmentError when the file cannot be opened (to write, for an exclusive lock) or locked, or
+  /// is still locked by another after `patience` seconds.
   FileLock(std::filesystem::path const& file, Kind kind, double patience);
   FileLock(std::filesystem::path const& file, Kind kind) : FileLock(file, kind, usual_patience(kind)) {}
   FileLock(FileLock const&) = delete;

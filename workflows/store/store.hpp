@@ -50,7 +50,7 @@ class Store {
   std::vector<std::int64_t> read_integer_row(std::string const& path, std::size_t row,
                                              Expected const& expected = {}) const;
   std::string read_text(std::string const& path) const;
-  Shape shape(std::string const& path) const;     ///< empty for a single number
+  Shape shape(std::string const& path) const;      ///< empty for a single number
   std::size_t rows(std::string const& path) const; ///< the first extent; a single number is refused
   bool contains(std::string const& path) const;
   bool is_group(std::string const& path) const;

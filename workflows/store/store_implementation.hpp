@@ -116,7 +116,8 @@ class Store::Implementation {
   Shape shape_of(Hdf5Handle const& dataset) const;
   /// The whole dataset, or one row of it.
   template <class T>
-  std::vector<T> read(std::string const& path, Expected const& expected, std::optional<std::size_t> row) const;
+  std::vector<T> read(std::string const& path, Expected const& expected,
+                      std::optional<std::size_t> row) const;
   template <class T>
   T read_number_attribute(std::string const& path, std::string const& name, Bounds const& bounds) const;
 

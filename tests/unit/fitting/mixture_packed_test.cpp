@@ -72,7 +72,7 @@ void solve_all(Mixture<A, B> const& mixture, std::vector<Trial> const& trials, P
                e = load(trials, first, &Trial::e);
     auto const found = packed.from_energy(lambda, rho, e, guess);
     auto const here = packed.at(lambda, rho, found.split);
-    Pack const P = here.pressure(), s = here.entropy(), C = here.heat_capacity(),
+    Pack const P = here.pressure(), s = found.other, C = here.heat_capacity(),
                c_2 = here.sound_speed_squared();
     auto const fine =
         found.solved & packed.covered(here) & between(C, 0, std::numeric_limits<double>::infinity());
@@ -183,6 +183,7 @@ TEST(PackedMixture, IsEachMixtureAlone) {
           ASSERT_TRUE(all_of(back.solved)) << i;
           auto const there = packed.at(lambda, rho, back.split);
           EXPECT_NEAR(there.energy().v[0] / e, 1, 1e-11);
+          EXPECT_NEAR(back.other.v[0] / there.energy().v[0], 1, 1e-14);
           EXPECT_NEAR(there.pressure().v[0] / a.P, 1, 1e-11);
           EXPECT_NEAR(mixture.state_from_entropy(lambda, rho, a.s).e / e, 1, 1e-11);
         },

@@ -1,5 +1,5 @@
-#include "sdpd/method/mean_field_viscosity.hpp"
 #include "pair_fluid_fixtures.hpp"
+#include "sdpd/method/mean_field_viscosity.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 

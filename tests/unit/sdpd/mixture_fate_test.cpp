@@ -22,6 +22,7 @@ class OneMixture {
     thermodynamics_->from_energy(of, {0, 1}, failure);
   }
   MixtureFate fate() const { return thermodynamics_->fate(of, 0); }
+  Thermodynamics const& thermodynamics() const { return *thermodynamics_; }
   double density() const { return of.rho[0] * units_.density; }
   double energy() const { return of.eps[0] * units_.specific_energy(); }
   double pressure() const { return of.P[0] * units_.pressure(); }
@@ -62,6 +63,46 @@ TEST(MixtureFate, BurnsUpBeforeTheReactantsBalanceEnds) {
     ++told;
   }
   EXPECT_EQ(told, 3);
+}
+
+/// Notes what the particle is at each density until its fate is told, and two that wait.
+void note_way(Particles& all, double lambda, double rho, double T, double factor) {
+  OneMixture mixture(lambda, rho, T);
+  auto const note = [&](double log_density_ratio) {
+    all.progress.push_back(lambda), all.rho.push_back(mixture.of.rho[0]), all.T.push_back(mixture.of.T[0]);
+    all.eps.push_back(mixture.of.eps[0]), all.log_density_ratio.push_back(log_density_ratio);
+  };
+  note(no_product), note(0);
+  for (;;) {
+    note(mixture.of.log_density_ratio[0]);
+    if (mixture.fate() != MixtureFate::goes_on || all.rho.size() % 97 == 0)
+      return note(no_product);
+    ASSERT_TRUE(mixture.change_density(factor));
+  }
+}
+
+// Many at once, as steps ask for them, and one by one: in ranges that begin and end anywhere.
+TEST(MixtureFate, IsTheSameManyAtOnce) {
+  Particles all;
+  note_way(all, 0.9, 1500, 4700, 0.99);
+  note_way(all, 0.003, 1300, 600, 1.01);
+  note_way(all, 0.3, 1500, 3000, 1.001); // of a progress at which no balance comes to an end
+  note_way(all, 0.994, 1500, 4700, 0.99);
+  OneMixture const any(0.5, 1500, 4700);
+  std::array<int, 4> seen{};
+  std::size_t const n = all.rho.size();
+  for (auto const& range : {Range{0, n}, Range{3, n - 2}, Range{5, 6}, Range{1, 14}}) {
+    std::vector<MixtureFate> fates(range.end - range.begin);
+    any.thermodynamics().fates(all, range, fates);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      auto const alone = any.thermodynamics().fate(all, static_cast<Index>(i));
+      EXPECT_EQ(fates[i - range.begin], alone) << i;
+      ++seen[static_cast<std::size_t>(alone)];
+    }
+  }
+  for (int const of_each : seen)
+    EXPECT_GT(of_each, 0);
+  EXPECT_GT(n, 50u);
 }
 
 TEST(MixtureFate, LetsATraceOfProductWaitWhereItsModelEnds) {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-// Every entry of tests/cases/*/cases.toml: inputs of real users' kind, and what the program must do with them.
-// The README there explains the entries.
+// Every entry of tests/cases/*/cases.toml: inputs of real users' kind, and what the program must do with
+// them. The README there explains the entries.
 
 namespace mesobridge::workflows {
 namespace {
@@ -42,8 +42,8 @@ std::vector<std::string> texts(toml::table const& entry, char const* key) {
 void refuse_unknown_keys(toml::table const& entry, std::string const& where) {
   for (auto const& [key, value] : entry)
     if (std::string_view const name = key.str();
-        std::string(" name run exit seconds says never files no_files json ").find(fmt::format(" {} ", name)) ==
-        std::string::npos)
+        std::string(" name run exit seconds says never files no_files json ")
+            .find(fmt::format(" {} ", name)) == std::string::npos)
       throw InputError(fmt::format("{}: unknown key '{}'", where, name));
 }
 

@@ -95,8 +95,8 @@ TEST(StarCommands, AMeltHasADiffusion) {
   EXPECT_NEAR(json["velocity_correlation"][0].get<double>(), 1, 1e-12);
   EXPECT_GT(json["temperature"].get<double>(), 0.3);
   EXPECT_TRUE(std::filesystem::exists(scratch / "melt" / "transport.html"));
-  auto const refused = program(
-      {"cg", "transport", (scratch / "melt" / "blobs.h5").string(), "--longest", "1e9", "-o", scratch / "no"});
+  auto const refused = program({"cg", "transport", (scratch / "melt" / "blobs.h5").string(), "--longest",
+                                "1e9", "-o", scratch / "no"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.errors.find("longest"), std::string::npos) << refused.errors;
 }
