@@ -32,6 +32,13 @@ struct OwnedAtoms {
   std::vector<double> potential; ///< each atom's share of the potential energy; empty if not asked for
 };
 
+/// What LAMMPS takes for the constants of nature in the units of a session.
+struct UnitConstants {
+  double boltzmann = 1;       ///< k_B [energy/temperature]
+  double energy_of_mv2 = 1;   ///< mass velocity^2 as an energy
+  double pressure_of_nkt = 1; ///< energy/volume as a pressure
+};
+
 /// One LAMMPS inside this process. LAMMPS writes to its log file only, never to the terminal. Every error
 /// inside LAMMPS is thrown as LammpsError; the session is then spent (its run is half done) and may only be
 /// destroyed. With Ranks::all an error of a single rank leaves the others waiting: the program must then end
@@ -64,6 +71,7 @@ class LammpsSession {
   double compute(std::string const& id);
   /// One component, from 0, of the global vector of a compute.
   double compute(std::string const& id, int component);
+  UnitConstants unit_constants() const;
   std::int64_t atoms() const;
   std::int64_t step() const;
   /// All atoms, on every rank. Throws InputError when the box is not rectangular.
@@ -74,6 +82,9 @@ class LammpsSession {
   OwnedAtoms owned_atoms(std::string const& energy_compute);
   /// Gives the atoms of this rank new velocities between two runs.
   void set_velocities(std::function<Vec3(std::int64_t id, Vec3 const& velocity)> const& velocity_of);
+
+  /// Moves the atoms of this rank between two runs; each must stay in the rank's part of the box.
+  void set_positions(std::function<Vec3(std::int64_t id)> const& position_of);
 
   /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
   bool has_style(std::string const& category, std::string const& name) const;
