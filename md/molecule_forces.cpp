@@ -36,6 +36,16 @@ void take_masses(DataFile& data, ForceField const& forces) {
   }
 }
 
+/// Files that are gone with it, however it ends.
+struct FilesOfAMoment {
+  std::vector<std::filesystem::path> files;
+  ~FilesOfAMoment() {
+    std::error_code none;
+    for (auto const& file : files)
+      std::filesystem::remove(file, none);
+  }
+};
+
 /// What LAMMPS writes into its log about its lists of neighbours: the longest cut-off, with the skin.
 double list_distance(std::filesystem::path const& log) {
   constexpr std::string_view key = "master list distance cutoff = ";
@@ -112,6 +122,7 @@ InsideEnergies::InsideEnergies(MpiWorld const& world, MoleculeSystem const& syst
 void InsideEnergies::start(MoleculeFrame const& frame) {
   auto const stem = folder_ / fmt::format("inside-{}", world_.rank());
   auto const log = stem.string() + ".log", data = stem.string() + ".data";
+  FilesOfAMoment const files{{log, data}};
   lammps_.emplace(world_, Ranks::own, log);
   system_.prepare(*lammps_);
   lammps_->command("atom_modify sort 0 0.0"); // sums in the same order, however often it was asked
@@ -123,8 +134,6 @@ void InsideEnergies::start(MoleculeFrame const& frame) {
   lammps_->command("run 0 post no");
   lammps_->command("log none");
   reach_ = list_distance(log);
-  std::filesystem::remove(log);
-  std::filesystem::remove(data);
 }
 
 void InsideEnergies::add_to(MoleculeFrame& frame) {
@@ -137,7 +146,7 @@ void InsideEnergies::add_to(MoleculeFrame& frame) {
     lammps_->set_positions([&](std::int64_t id) { return frame.box.wrap(frame.q[std::size_t(id - 1)]); });
     lammps_->command("run 0 post no");
   } catch (LammpsError const& error) {
-    throw InputError(fmt::format("the energies inside the molecules cannot be told by '{}': {}",
+    throw InputError(fmt::format("'{}': the energies inside the molecules cannot be told: {}",
                                  system_.forces.file().string(), error.what()));
   }
   auto const atoms = lammps_->owned_atoms(atom_energy_compute);

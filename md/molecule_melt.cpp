@@ -192,6 +192,18 @@ std::string MoleculeMelt::fingerprint() const {
       p.equilibration_steps, p.sample_every, p.checkpoint_every, p.seed);
 }
 
+void try_forces(MpiWorld const& world, MoleculeMelt const& melt) {
+  if (world.is_root()) {
+    auto const& molecules = melt.system().molecules;
+    MoleculeFrame start{.box = molecules.box,
+                        .molecules = molecules.count,
+                        .atoms_per_molecule = molecules.kind.atoms(),
+                        .q = molecules.q};
+    InsideEnergies(world, melt.system(), melt.settings().directory).add_to(start);
+  }
+  world.barrier();
+}
+
 bool sample_molecules(MpiWorld const& world, MoleculeMelt const& melt, bool resume,
                       StarConsumers const& consumers) {
   InsideEnergies inside(world, melt.system(), melt.settings().directory);

@@ -49,6 +49,10 @@ class MoleculeMelt {
   MeltProtocol protocol_;
 };
 
+/// Has LAMMPS take the force field on rank 0 alone: what it refuses is told once. All ranks must call it.
+/// Throws InputError.
+void try_forces(MpiWorld const& world, MoleculeMelt const& melt);
+
 /// Makes the run, or what is left of it, as sample_star_melt. The frames tell the energies inside the
 /// molecules. Throws InputError when LAMMPS refuses the force field, and PhysicsError as sample_melt.
 bool sample_molecules(MpiWorld const& world, MoleculeMelt const& melt, bool resume,

@@ -83,6 +83,7 @@ void sample_molecules(MoleculesJob const& job, Context const& context) {
       [&](md::MpiWorld const& world, MoleculesJob const& of, Context const& in) {
         melt.emplace(of.settings);
         constants = constants_of(world, *melt);
+        md::try_forces(world, *melt);
         return run_molecules(world, of, *melt, constants, in);
       },
       [&](MoleculesJob const& done) {

@@ -5,10 +5,13 @@
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/mapping_file.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <sys/wait.h>
 #include <thread>
+#include <tuple>
 
 namespace mesobridge::workflows {
 
@@ -159,7 +162,7 @@ TEST(Molecules, WithForcesThatLammpsRefusesAreRefusedInOneMessageThatNamesTheFil
   auto const good = read_text_file(molecules + "chain.settings");
   std::vector<WrongLine> const cases{
       {"pair_coeff      1 1 1 1\n", "", "All pair coeffs are not set"},
-      {"bond_coeff      1 30 1.5 1 1", "", "All bond coeffs are not set"},
+      {"bond_coeff      1 30 1.5 1 1", "", "Bond coeffs are not set"},
       {"pair_style      lj/cut", "pair_style      lj/cutt",
        "wrong.settings:2: LAMMPS: Unrecognized pair style"},
       {"pair_coeff      1 1 1 1", "pair_coeff      1 2 1 1", "wrong.settings:4: LAMMPS: "},
@@ -197,7 +200,7 @@ TEST(Molecules, BecomeAMappingWithTheModelOfTheStar) {
   EXPECT_EQ(mapping.model.excluded, star.excluded);
   ASSERT_EQ(mapping.model.bonds.size(), star.bonds.size());
   auto bonds = star.bonds;
-  std::ranges::sort(bonds, {}, [](auto const& bond) { return std::pair(bond.l < 1.5, bond.a); });
+  std::ranges::sort(bonds, {}, [](auto const& bond) { return std::tuple(bond.l < 1.5, bond.a, bond.b); });
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     EXPECT_EQ(mapping.model.bonds[k].a, bonds[k].a);
     EXPECT_EQ(mapping.model.bonds[k].b, bonds[k].b);
