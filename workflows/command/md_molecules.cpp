@@ -17,7 +17,7 @@ struct MdMoleculesOptions {
 };
 
 /// --replicate N or NX NY NZ.
-std::array<int, 3> times_of(std::vector<int> const& replicate) {
+std::array<int, 3> boxes_along(std::vector<int> const& replicate) {
   if (replicate.empty())
     return {1, 1, 1};
   require(replicate.size() == 1 || replicate.size() == 3, "--replicate", replicate.size(),
@@ -28,7 +28,7 @@ std::array<int, 3> times_of(std::vector<int> const& replicate) {
 Result molecules(MdMoleculesOptions const& options, Context const& context) {
   MoleculesJob job{.settings = options.settings, .resume = options.resume};
   auto& s = job.settings;
-  s.replicate = times_of(options.replicate);
+  s.replicate = boxes_along(options.replicate);
   s.minimise = !options.keep_start;
   s.seed = context.options.seed.value_or(s.seed);
   unit_style(md::MoleculeMelt(s).system().units); // before any rank starts: bad input is told once
