@@ -148,7 +148,7 @@ class MoleculeMeltSystem final : public MeltSystem {
     }
   }
 
-  std::string shorter_step() const override { return "or a longer minimisation may help"; }
+  std::string shorter_step() const override { return "may help, or a start whose atoms do not overlap"; }
 
  private:
   bool minimised(LammpsSession& lammps, std::function<bool()> const& goes_on) const {
