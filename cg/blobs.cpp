@@ -36,11 +36,11 @@ void BlobMaker::join(std::span<Vec3 const> q, Box const& box) {
   }
 }
 
-double BlobMaker::width_in(Box const& box) const {
+double BlobMaker::width_in(Box const& box, double reach) const {
   auto const along = [&](std::vector<double> const& values, double edge, char axis) {
     auto const [low, high] = std::minmax_element(values.begin(), values.end());
     double const width = *high - *low;
-    if (!(width < edge - cutoff_))
+    if (!(width < edge - reach))
       throw PhysicsError(
           fmt::format("a molecule is {:.4g} wide along {}: in a box with the edge {:.4g} it meets "
                       "its own image. Take a larger box (more molecules)",
@@ -76,10 +76,10 @@ double BlobMaker::energy_inside() const {
 }
 
 Blob BlobMaker::blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span<Vec3 const> f,
-                     std::span<double const> potential, Box const& box) {
+                     std::span<double const> potential, Box const& box, std::optional<ToldInside> inside) {
   join(q, box);
   Blob blob;
-  blob.width = width_in(box);
+  blob.width = width_in(box, inside ? inside->reach : cutoff_);
   Vec3 moment;
   for (std::size_t i = 0; i < q.size(); ++i) {
     double const m = model_.masses[i];
@@ -94,7 +94,7 @@ Blob BlobMaker::blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span
   if (!v.empty())
     for (std::size_t i = 0; i < q.size(); ++i)
       blob.U_kin += model_.masses[i] / 2 * norm2(v[i] - V);
-  blob.U_pot = energy_inside();
+  blob.U_pot = inside ? inside->energy : energy_inside();
   if (!potential.empty())
     blob.Phi = std::accumulate(potential.begin(), potential.end(), 0.0) - blob.U_pot;
   return blob;
@@ -103,9 +103,13 @@ Blob BlobMaker::blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span
 std::vector<Blob> BlobMaker::blobs(md::MoleculeFrame const& frame) {
   std::vector<Blob> result;
   auto const n = std::size_t(frame.atoms_per_molecule);
-  for (std::size_t m = 0; m < std::size_t(frame.molecules); ++m)
+  for (std::size_t m = 0; m < std::size_t(frame.molecules); ++m) {
+    std::optional<ToldInside> inside;
+    if (!frame.inside.empty())
+      inside = {.energy = frame.inside[m], .reach = frame.reach};
     result.push_back(blob(part(frame.q, m * n, n), part(frame.v, m * n, n), part(frame.f, m * n, n),
-                          part(frame.potential, m * n, n), frame.box));
+                          part(frame.potential, m * n, n), frame.box, inside));
+  }
   return result;
 }
 

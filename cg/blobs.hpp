@@ -2,6 +2,7 @@
 #include "cg/molecule_model.hpp"
 #include "md/molecule_atoms.hpp"
 #include "md/mpi_world.hpp"
+#include <optional>
 
 namespace mesobridge::cg {
 
@@ -29,6 +30,11 @@ struct BlobFrame {
   std::vector<Blob> blobs;
 };
 
+/// The potential energy inside a molecule where MD tells it, and how far its pairs of atoms see each other.
+struct ToldInside {
+  double energy = 0, reach = 0;
+};
+
 /// Turns the atoms of equal molecules into blobs. An atom's positions are joined along the bonds, so the
 /// molecules may lie across the borders of the box. Phi is what the atoms' potential energies (each half of
 /// the pairs and bonds that an atom takes part in) leave when those inside the molecule are taken away.
@@ -38,9 +44,9 @@ class BlobMaker {
 
   /// One molecule; the spans have one entry an atom. Throws PhysicsError when it is so wide that its atoms
   /// are within the cut-off of its own images or, if bonds do not join it whole, that nearest images do not
-  /// tell where its parts are.
+  /// tell where its parts are. What is told of the energy inside takes the place of the model's.
   Blob blob(std::span<Vec3 const> q, std::span<Vec3 const> v, std::span<Vec3 const> f,
-            std::span<double const> potential, Box const& box);
+            std::span<double const> potential, Box const& box, std::optional<ToldInside> inside = {});
 
   /// All molecules of this rank. With an empty `potential` in the frame Phi stays 0.
   std::vector<Blob> blobs(md::MoleculeFrame const& frame);
@@ -49,7 +55,7 @@ class BlobMaker {
 
  private:
   void join(std::span<Vec3 const> q, Box const& box);
-  double width_in(Box const& box) const;
+  double width_in(Box const& box, double reach) const;
   double energy_inside() const;
 
   MoleculeModel model_;

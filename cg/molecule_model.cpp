@@ -1,7 +1,7 @@
 #include "cg/molecule_model.hpp"
+#include "md/spanning_steps.hpp"
 #include <algorithm>
 #include <numeric>
-#include <queue>
 
 namespace mesobridge::cg {
 
@@ -20,31 +20,25 @@ MoleculeModel model_of(md::StarPolymer const& star) {
           .excluded = {}};
 }
 
+MoleculeModel model_of(md::MoleculeKind const& kind, double energy_of_mv2) {
+  MoleculeModel model{.masses = kind.masses(),
+                      .types = std::vector<int>(kind.types.size(), 0),
+                      .pairs = {PairLaw(0, 1, 0, false)},
+                      .type_count = 1,
+                      .bonds = {},
+                      .excluded = {}};
+  for (double& mass : model.masses)
+    mass *= energy_of_mv2;
+  for (auto const& term : kind.bonded[std::size_t(md::Bonded::bond)])
+    model.bonds.push_back({.a = int(term.atoms[0]), .b = int(term.atoms[1])});
+  return model;
+}
+
 std::vector<std::pair<int, int>> spanning_steps(MoleculeModel const& model) {
-  auto const n = std::size_t(model.atoms());
-  std::vector<std::vector<int>> neighbours(n, std::vector<int>{});
-  for (auto const& bond : model.bonds) {
-    neighbours[std::size_t(bond.a)].push_back(bond.b);
-    neighbours[std::size_t(bond.b)].push_back(bond.a);
-  }
-  std::vector<std::pair<int, int>> steps;
-  std::vector<bool> reached(n, false);
-  for (int start = 0; start < int(n); ++start) {
-    if (reached[std::size_t(start)])
-      continue;
-    if (start > 0)
-      steps.emplace_back(0, start);
-    std::queue<int> open({start});
-    reached[std::size_t(start)] = true;
-    for (; !open.empty(); open.pop())
-      for (int const next : neighbours[std::size_t(open.front())])
-        if (!reached[std::size_t(next)]) {
-          reached[std::size_t(next)] = true;
-          steps.emplace_back(open.front(), next);
-          open.push(next);
-        }
-  }
-  return steps;
+  std::vector<std::pair<int, int>> bonds;
+  for (auto const& bond : model.bonds)
+    bonds.emplace_back(bond.a, bond.b);
+  return md::spanning_steps(model.atoms(), bonds);
 }
 
 bool joined_by_bonds(MoleculeModel const& model) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "md/box.hpp"
+#include "md/equal_molecules.hpp"
 #include "md/star_polymer.hpp"
 #include <span>
 #include <vector>
@@ -53,6 +54,10 @@ struct MoleculeModel {
 };
 
 MoleculeModel model_of(md::StarPolymer const& star);
+
+/// Masses, each times `energy_of_mv2`, and bonds without energy, which join the atoms: of molecules whose
+/// energies MD tells itself.
+MoleculeModel model_of(md::MoleculeKind const& kind, double energy_of_mv2);
 
 /// Steps along bonds from atom 0 that reach every atom; an atom without a bond to the rest is reached from
 /// atom 0 itself. Each step goes from an atom that was reached before.

@@ -146,6 +146,13 @@ double LammpsSession::compute(std::string const& id, int component) {
   });
 }
 
+UnitConstants LammpsSession::unit_constants() const {
+  auto const value = [&](char const* name) {
+    return *static_cast<double const*>(lammps_extract_global(handle_->lammps, name));
+  };
+  return {.boltzmann = value("boltz"), .energy_of_mv2 = value("mvv2e"), .pressure_of_nkt = value("nktv2p")};
+}
+
 std::int64_t LammpsSession::atoms() const {
   return std::int64_t(lammps_get_natoms(handle_->lammps));
 }
@@ -235,6 +242,18 @@ void LammpsSession::add_forces(std::function<void(ForcedAtoms const&)> add) {
   command("fix_modify mesobridge_forces energy no virial no");
   guarded("set the forces' callback", [&](void* lammps) {
     lammps_set_fix_external_callback(lammps, "mesobridge_forces", call_back<Handle>, handle_.get());
+  });
+}
+
+void LammpsSession::set_positions(std::function<Vec3(std::int64_t id)> const& position_of) {
+  guarded("set positions", [&](void* lammps) {
+    int const n = lammps_extract_setting(lammps, "nlocal");
+    auto const* const ids = static_cast<int const*>(lammps_extract_atom(lammps, "id"));
+    auto* const* const x = static_cast<double* const*>(lammps_extract_atom(lammps, "x"));
+    for (int i = 0; i < n; ++i) {
+      Vec3 const q = position_of(ids[i]);
+      x[i][0] = q.x, x[i][1] = q.y, x[i][2] = q.z;
+    }
   });
 }
 

@@ -41,6 +41,13 @@ struct ForcedAtoms {
   double* const* added;
 };
 
+/// What LAMMPS takes for the constants of nature in the units of a session.
+struct UnitConstants {
+  double boltzmann = 1;       ///< k_B [energy/temperature]
+  double energy_of_mv2 = 1;   ///< mass velocity^2 as an energy
+  double pressure_of_nkt = 1; ///< energy/volume as a pressure
+};
+
 /// One LAMMPS inside this process. LAMMPS writes to its log file only, never to the terminal. Every error
 /// inside LAMMPS is thrown as LammpsError; the session is then spent (its run is half done) and may only be
 /// destroyed. With Ranks::all an error of a single rank leaves the others waiting: the program must then end
@@ -73,6 +80,7 @@ class LammpsSession {
   double compute(std::string const& id);
   /// One component, from 0, of the global vector of a compute.
   double compute(std::string const& id, int component);
+  UnitConstants unit_constants() const;
   std::int64_t atoms() const;
   std::int64_t step() const;
   /// All atoms, on every rank. Throws InputError when the box is not rectangular.
@@ -87,6 +95,9 @@ class LammpsSession {
   /// From here on, each time that the forces on all atoms are complete, `add` says what comes on top of them.
   /// It belongs to no potential: energy and pressure leave it out. Once in a session.
   void add_forces(std::function<void(ForcedAtoms const&)> add);
+
+  /// Moves the atoms of this rank between two runs; each must stay in the rank's part of the box.
+  void set_positions(std::function<Vec3(std::int64_t id)> const& position_of);
 
   /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
   bool has_style(std::string const& category, std::string const& name) const;

@@ -63,7 +63,7 @@ MoleculeFrame collect_molecules(MpiWorld const& world, LammpsSession& lammps, in
           double(lammps.step()) * lammps.thermo("dt"), // LAMMPS's own time begins anew with each checkpoint
       .box = {{lammps.thermo("lx"), lammps.thermo("ly"), lammps.thermo("lz")}},
       .energy = lammps.thermo("etotal"),
-      .pressure = lammps.thermo("press"),
+      .pressure = lammps.thermo("press") / lammps.unit_constants().pressure_of_nkt,
       .first_molecule = first,
       .molecules = first_of(world.rank() + 1, world.size(), molecules) - first,
       .atoms_per_molecule = atoms_per_molecule,
@@ -71,6 +71,7 @@ MoleculeFrame collect_molecules(MpiWorld const& world, LammpsSession& lammps, in
       .v = {},
       .f = {},
       .potential = {},
+      .inside = {},
   };
   auto const atoms = lammps.owned_atoms(atom_energy_compute);
   unpack(world.exchange(parcels(atoms, world.size(), molecules, atoms_per_molecule)), frame);

@@ -13,12 +13,15 @@ struct MoleculeFrame {
   double time = 0;
   Box box;
   double energy = 0;      ///< LAMMPS's total energy of the whole system
-  double pressure = 0;    ///< LAMMPS's pressure
+  double pressure = 0;    ///< LAMMPS's pressure, as energy/volume
   int first_molecule = 0; ///< number of this rank's first molecule, from 0
   int molecules = 0;      ///< of this rank
   int atoms_per_molecule = 0;
   std::vector<Vec3> q, v, f;     ///< q may lie a little outside the box
   std::vector<double> potential; ///< each atom's half of the pair and bond energies that it takes part in
+  /// The potential energy inside each molecule; empty where whoever takes the frame knows its laws.
+  std::vector<double> inside;
+  double reach = 0; ///< where `inside` is given: how far pairs of atoms see each other
 };
 
 /// The compute pe/atom that collect_molecules reads. It is to be defined once in a session, which makes every

@@ -61,15 +61,14 @@ void write_checkpoint(MpiWorld const& world, LammpsSession& lammps, std::filesys
   world.barrier();
 }
 
-std::int64_t step_to_begin_at(MpiWorld const& world, StarPolymer const& star,
-                              std::filesystem::path const& file, std::filesystem::path const& log,
-                              bool resume) {
+std::int64_t step_to_begin_at(MpiWorld const& world, Checkpoint const& checkpoint, bool resume) {
+  auto const& file = checkpoint.restart_file;
   if (world.is_root() && !resume)
     std::filesystem::remove(file);
   if (!world.root_says(resume && std::filesystem::exists(file)))
     return 0;
-  LammpsSession lammps(world, Ranks::all, log, Log::append);
-  prepare_for_stars(lammps, star);
+  LammpsSession lammps(world, Ranks::all, checkpoint.log_file, Log::append);
+  checkpoint.prepare(lammps);
   lammps.command_with_file("read_restart", file);
   return lammps.step();
 }

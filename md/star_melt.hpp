@@ -1,5 +1,5 @@
 #pragma once
-#include "md/star_consumers.hpp"
+#include "md/melt_run.hpp"
 #include "md/star_polymer.hpp"
 #include <filesystem>
 #include <functional>
@@ -34,18 +34,7 @@ struct StarMeltSettings {
   std::string fingerprint() const;
 };
 
-enum class MeltPhase { squeeze, rest, equilibrate, sample, hold };
-
-/// A stretch of the run between two checkpoints.
-struct MeltStretch {
-  MeltPhase phase = MeltPhase::sample;
-  std::int64_t first_step = 0, steps = 0;
-  double rho = 0;      ///< at its end
-  bool begins = false; ///< to hold the molecules' centres; what follows goes on with it
-};
-
-/// The whole run, stretch by stretch. Every stretch starts from a checkpoint file, of the unbroken run too,
-/// so that a resumed run equals the unbroken one bit for bit (on as many ranks).
+/// The whole run, as that of any melt.
 std::vector<MeltStretch> plan(StarMeltSettings const& settings);
 
 /// Throws InputError that names the quantity when the settings make no sense.

@@ -43,8 +43,9 @@ void write_data_file(StarLattice const& lattice, std::filesystem::path const& fi
 }
 
 bool tells_of_instability(std::string_view text) {
-  for (std::string_view sign : {"Bond atom", "Lost atoms", "Out of range atoms", "Non-numeric", "Bond extent",
-                                "Atom count is inconsistent"})
+  for (std::string_view sign : {"Bond atom", "Angle atom", "Dihedral atom", "Improper atom", "Lost atoms",
+                                "Out of range atoms", "Non-numeric", "Bond extent", "Angle extent",
+                                "Dihedral/improper extent", "Bad FENE bond", "Atom count is inconsistent"})
     if (text.find(sign) != std::string_view::npos)
       return true;
   return false;
@@ -103,15 +104,15 @@ void create_stars(MpiWorld const& world, LammpsSession& lammps, StarLattice cons
     std::filesystem::remove(data_file);
 }
 
-void explained(std::string const& doing, double dt, std::function<void()> const& work) {
+void explained(std::string const& doing, double dt, std::string const& hint,
+               std::function<void()> const& work) {
   try {
     work();
   } catch (LammpsError const& error) {
     if (!tells_of_instability(error.what()))
       throw;
-    throw PhysicsError(fmt::format("{} became unstable at the time step {}: {}. A shorter --dt keeps the "
-                                   "bonds together; 0.001 is the thesis's",
-                                   doing, dt, error.what()));
+    throw PhysicsError(fmt::format("{} became unstable at the time step {}: {}. A shorter --dt {}", doing, dt,
+                                   error.what(), hint));
   }
 }
 

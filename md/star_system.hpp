@@ -34,7 +34,10 @@ void prepare_for_stars(LammpsSession& lammps, StarPolymer const& star);
 void set_star_forces(LammpsSession& lammps, StarPolymer const& star);
 
 /// Does some work in LAMMPS. What an unstable run makes LAMMPS say (missing bond atoms, lost atoms) is thrown
-/// as PhysicsError with a hint; `doing` names the run.
-void explained(std::string const& doing, double dt, std::function<void()> const& work);
+/// as PhysicsError with the hint that follows "A shorter --dt"; `doing` names the run.
+void explained(std::string const& doing, double dt, std::string const& hint,
+               std::function<void()> const& work);
+
+inline constexpr char const* shorter_step_of_stars = "keeps the bonds together; 0.001 is the thesis's";
 
 } // namespace mesobridge::md

@@ -87,7 +87,7 @@ class VacuumStretch {
       set_energies();
     bool on = true;
     explained(fmt::format("the run of isolated {} stars", settings_.star.name()), settings_.dt,
-              [&] { on = advance(); });
+              shorter_step_of_stars, [&] { on = advance(); });
     if (on)
       write_checkpoint(world_, lammps_, settings_.restart_file(), consumers_.checkpoint);
     return on;
@@ -210,8 +210,12 @@ bool sample_star_vacuum(MpiWorld const& world, StarVacuumSettings const& setting
                         StarConsumers const& consumers) {
   check(settings);
   auto const stretches = stretches_of(settings);
+  Checkpoint const checkpoint{
+      .restart_file = settings.restart_file(),
+      .log_file = settings.log_file(),
+      .prepare = [&](LammpsSession& lammps) { prepare_for_stars(lammps, settings.star); }};
   std::int64_t const done =
-      step_to_begin_at(world, settings, stretches, resume, "it was made with other settings");
+      step_to_begin_at(world, checkpoint, stretches, resume, "it was made with other settings");
   for (auto const& stretch : stretches)
     if (stretch.first_step >= done &&
         !VacuumStretch(world, settings, consumers, stretch, steps_of(stretches)).run())

@@ -13,7 +13,9 @@ Command::Action md_piston_shock_command(CLI::App&);
 Command::Action md_star_melt_command(CLI::App&);
 Command::Action md_star_vacuum_command(CLI::App&);
 Command::Action md_held_blobs_command(CLI::App&);
+Command::Action md_molecules_command(CLI::App&);
 Command::Action cg_state_grid_command(CLI::App&);
+Command::Action cg_mapping_command(CLI::App&);
 Command::Action cg_blobs_command(CLI::App&);
 Command::Action cg_correlations_command(CLI::App&);
 Command::Action cg_exchange_command(CLI::App&);
@@ -80,10 +82,20 @@ std::vector<Command> commands() {
        .summary = "Forces on the molecules of a melt whose centres are held, for their pair friction",
        .example = "mesobridge md held-blobs -o out/held",
        .declare = md_held_blobs_command},
+      {.name = "md molecules",
+       .summary = "Melt of any molecule with LAMMPS: a data file and its force field; blobs are measured",
+       .example = "mesobridge md molecules workflows/scenes/molecules/butane.data --settings "
+                  "workflows/scenes/molecules/butane.settings --replicate 6 -o out/butane",
+       .declare = md_molecules_command},
       {.name = "cg state-grid",
        .summary = "Pressure, energy and heat capacity of each sampled state, with errors",
        .example = "mesobridge cg state-grid out/lj/lj-grid.h5",
        .declare = cg_state_grid_command},
+      {.name = "cg mapping",
+       .summary = "The mapping that `cg blobs` takes, of a LAMMPS data file and its force field",
+       .example = "mesobridge cg mapping workflows/scenes/molecules/star.data --settings "
+                  "workflows/scenes/molecules/star.settings -o star.toml",
+       .declare = cg_mapping_command},
       {.name = "cg blobs",
        .summary = "Blobs (R, P, U, Phi) of a trajectory's molecules",
        .example = "mesobridge cg blobs melt.lammpstrj --mapping star.toml -o out/blobs",

@@ -1,6 +1,5 @@
 #include "workflows/star/sample_melt.hpp"
-#include "workflows/h5md.hpp"
-#include "workflows/star/blob_file.hpp"
+#include "workflows/star/melt_files.hpp"
 #include "workflows/star/melt_summary.hpp"
 #include "workflows/star/star_sampling.hpp"
 #include <optional>
@@ -21,63 +20,13 @@ BlobFileHead head_of(md::StarMeltSettings const& settings, double mass) {
           .set = {}};
 }
 
-/// Rank 0's files: the blobs and the trajectory of their centres. Frames are held back until the stretch of
-/// the run that made them is complete.
-class MeltFiles {
- public:
-  MeltFiles(MeltJob const& job, double mass, Provenance const& provenance)
-      : blobs_(job.resume && std::filesystem::exists(job.blobs())
-                   ? BlobFile::continue_file(job.blobs(), job.settings.fingerprint())
-                   : BlobFile(job.blobs(), head_of(job.settings, mass), provenance)),
-        mass_(mass) {
-    auto const centres = job.settings.directory / "centres.h5";
-    centres_.emplace(job.resume && std::filesystem::exists(centres)
-                         ? H5mdWriter::continue_file(centres, H5mdWriter::Units::reduced())
-                         : H5mdWriter(centres, H5mdWriter::Units::reduced(), provenance));
-    last_centres_ = centres_->last_step();
-  }
-
-  void hold(cg::BlobFrame frame) { held_.push_back(std::move(frame)); }
-
-  void write() {
-    blobs_.append(held_);
-    for (auto const& frame : held_)
-      if (frame.step > last_centres_)
-        write_centres(frame);
-    centres_->mark();
-    held_.clear();
-  }
-
-  void close() {
-    blobs_.close();
-    centres_->close();
-  }
-
- private:
-  void write_centres(cg::BlobFrame const& frame) {
-    std::vector<Vec3> R, V;
-    for (auto const& blob : frame.blobs) {
-      R.push_back(blob.R);
-      V.push_back(blob.P / mass_);
-    }
-    centres_->append(
-        {.step = frame.step, .time = frame.time, .box = frame.box, .positions = R, .velocities = V});
-  }
-
-  BlobFile blobs_;
-  std::optional<H5mdWriter> centres_;
-  std::vector<cg::BlobFrame> held_;
-  double mass_;
-  std::int64_t last_centres_ = -1;
-};
-
 bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<MeltFiles> files;
   std::optional<Progress> progress;
   if (world.is_root()) {
     files.emplace(
-        job, maker.model().mass(),
+        job.settings.directory, job.resume, head_of(job.settings, maker.model().mass()),
         Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
     progress.emplace(context.progress(
         fmt::format("melt of {} stars at rho = {}", job.settings.star.name(), job.settings.rho), 1));

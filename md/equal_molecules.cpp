@@ -1,0 +1,230 @@
+#include "md/equal_molecules.hpp"
+#include "md/spanning_steps.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/os.h>
+#include <map>
+
+namespace mesobridge::md {
+namespace {
+
+/// A molecule's atoms as places in the data file's list.
+using Members = std::map<std::int64_t, std::vector<std::size_t>>;
+
+Members members_of(DataFile const& data) {
+  Members members;
+  for (std::size_t i = 0; i < data.atoms.size(); ++i) {
+    auto const& atom = data.atoms[i];
+    require(atom.molecule > 0, fmt::format("{}: molecule of atom {}", data.file.string(), atom.id),
+            atom.molecule, "must be > 0: each atom belongs to one");
+    members[atom.molecule].push_back(i);
+  }
+  for (auto& [number, list] : members)
+    std::ranges::sort(list, {}, [&](std::size_t i) { return data.atoms[i].id; });
+  return members;
+}
+
+struct Place {
+  std::int64_t molecule;
+  int atom; ///< in the molecule
+};
+
+std::map<std::int64_t, Place> places_of(DataFile const& data, Members const& members) {
+  std::map<std::int64_t, Place> places;
+  for (auto const& [number, list] : members)
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (auto const id = data.atoms[list[k]].id; !places.try_emplace(id, Place{number, int(k)}).second)
+        throw InputError(fmt::format("{}: atom {} is there twice", data.file.string(), id));
+  return places;
+}
+
+/// The term with the atoms of the molecule, in the one of its two orders that comes first. An improper has
+/// but one.
+BondedTerm within_molecule(BondedTerm term, std::size_t kind) {
+  auto const n = bonded_atoms[kind];
+  auto turned = term;
+  std::reverse(turned.atoms.begin(), turned.atoms.begin() + std::ptrdiff_t(n));
+  return bonded_kinds[kind] == Bonded::improper ? term : std::min(term, turned);
+}
+
+using Terms = std::array<std::vector<BondedTerm>, 4>;
+
+/// The bonded terms of each molecule, sorted.
+std::map<std::int64_t, Terms> terms_of(DataFile const& data, Members const& members) {
+  auto const places = places_of(data, members);
+  std::map<std::int64_t, Terms> terms;
+  for (std::size_t kind = 0; kind < 4; ++kind)
+    for (auto term : data.bonded[kind]) {
+      std::int64_t molecule = 0;
+      for (std::size_t k = 0; k < bonded_atoms[kind]; ++k) {
+        auto const place = places.find(term.atoms[k]);
+        require(place != places.end(),
+                fmt::format("{}: atom of a {}", data.file.string(), bonded_names[kind]), term.atoms[k],
+                "no atom has this number");
+        if (k > 0 && place->second.molecule != molecule)
+          throw InputError(fmt::format("{}: a {} joins atoms {} and {} of the molecules {} and {}: give them "
+                                       "one number",
+                                       data.file.string(), bonded_names[kind], term.atoms[0], place->first,
+                                       molecule, place->second.molecule));
+        molecule = place->second.molecule;
+      }
+      for (std::size_t k = 0; k < bonded_atoms[kind]; ++k)
+        term.atoms[k] = places.at(term.atoms[k]).atom;
+      terms[molecule][kind].push_back(within_molecule(term, kind));
+    }
+  for (auto& [number, of_molecule] : terms)
+    for (auto& list : of_molecule)
+      std::ranges::sort(list);
+  return terms;
+}
+
+MoleculeKind kind_of(DataFile const& data, std::vector<std::size_t> const& list, Terms terms) {
+  MoleculeKind kind{.name = data.file.stem().string(),
+                    .atom_style = data.atom_style,
+                    .types = {},
+                    .charges = {},
+                    .masses_of_types = data.masses,
+                    .bonded_types = data.bonded_types,
+                    .bonded = std::move(terms)};
+  for (auto const i : list)
+    kind.types.push_back(data.atoms[i].type), kind.charges.push_back(data.atoms[i].charge);
+  return kind;
+}
+
+/// Throws InputError that names what differs.
+void require_equal(MoleculeKind const& first, MoleculeKind const& other, std::int64_t first_number,
+                   std::int64_t number, std::string const& file) {
+  auto const refuse = [&](std::string const& what) {
+    throw InputError(
+        fmt::format("{}: molecule {} differs from molecule {} in {}: all must be equal, with their "
+                    "atoms in the same order",
+                    file, number, first_number, what));
+  };
+  if (other.atoms() != first.atoms())
+    refuse(fmt::format("the number of atoms, {} and {}", other.atoms(), first.atoms()));
+  for (std::size_t i = 0; i < first.types.size(); ++i) {
+    if (other.types[i] != first.types[i])
+      refuse(fmt::format("the type of its atom {}, {} and {}", i + 1, other.types[i], first.types[i]));
+    if (other.charges[i] != first.charges[i])
+      refuse(fmt::format("the charge of its atom {}, {} and {}", i + 1, other.charges[i], first.charges[i]));
+  }
+  for (std::size_t kind = 0; kind < 4; ++kind)
+    if (other.bonded[kind] != first.bonded[kind])
+      refuse(fmt::format("its {}s", bonded_names[kind]));
+}
+
+std::vector<std::pair<int, int>> bonds_of(MoleculeKind const& kind) {
+  std::vector<std::pair<int, int>> bonds;
+  for (auto const& term : kind.bonded[std::size_t(Bonded::bond)])
+    bonds.emplace_back(int(term.atoms[0]), int(term.atoms[1]));
+  return bonds;
+}
+
+/// Brings each molecule together, wherever the borders of the box have cut it.
+void join(Molecules& molecules) {
+  auto const n = std::size_t(molecules.kind.atoms());
+  auto const steps = spanning_steps(molecules.kind.atoms(), bonds_of(molecules.kind));
+  for (std::size_t m = 0; m < molecules.q.size(); m += n)
+    for (auto const& [from, to] : steps) {
+      Vec3 const a = molecules.q[m + std::size_t(from)];
+      Vec3& b = molecules.q[m + std::size_t(to)];
+      b = a + molecules.box.minimum_image(molecules.box.wrap(b) - molecules.box.wrap(a));
+    }
+}
+
+} // namespace
+
+std::vector<double> MoleculeKind::masses() const {
+  std::vector<double> list;
+  for (int const type : types)
+    list.push_back(masses_of_types[std::size_t(type - 1)]);
+  return list;
+}
+
+Molecules equal_molecules(DataFile const& data) {
+  auto const members = members_of(data);
+  auto terms = terms_of(data, members);
+  auto const& [first_number, first_list] = *members.begin();
+  Molecules molecules{.kind = kind_of(data, first_list, terms[first_number]),
+                      .count = int(members.size()),
+                      .box = data.box,
+                      .q = {}};
+  for (auto const& [number, list] : members) {
+    require_equal(molecules.kind, kind_of(data, list, terms[number]), first_number, number,
+                  data.file.string());
+    for (auto const i : list)
+      molecules.q.push_back(data.atoms[i].q - data.low);
+  }
+  for (std::size_t type = 0; type < data.masses.size(); ++type)
+    require(data.masses[type] > 0, data.file.string(), fmt::format("mass of atom type {}", type + 1),
+            "must be there, in a section 'Masses' or as 'mass' in the settings");
+  join(molecules);
+  return molecules;
+}
+
+Molecules replicated(Molecules const& molecules, std::array<int, 3> const& times) {
+  auto const& edge = molecules.box.edge;
+  Molecules more{.kind = molecules.kind,
+                 .count = molecules.count * times[0] * times[1] * times[2],
+                 .box = {{edge.x * times[0], edge.y * times[1], edge.z * times[2]}},
+                 .q = {}};
+  for (int z = 0; z < times[2]; ++z)
+    for (int y = 0; y < times[1]; ++y)
+      for (int x = 0; x < times[0]; ++x)
+        for (Vec3 const& q : molecules.q)
+          more.q.push_back(q + Vec3{x * edge.x, y * edge.y, z * edge.z});
+  return more;
+}
+
+double mean_width(Molecules const& molecules) {
+  auto const n = std::size_t(molecules.kind.atoms());
+  double sum = 0;
+  for (std::size_t m = 0; m < molecules.q.size(); m += n) {
+    auto low = molecules.q[m], high = low;
+    for (std::size_t i = m; i < m + n; ++i) {
+      auto const& q = molecules.q[i];
+      low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
+      high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
+    }
+    sum += std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  }
+  return sum / molecules.count;
+}
+
+void write_data_file(std::filesystem::path const& file, MoleculeKind const& kind, std::span<Vec3 const> q,
+                     Box const& box) {
+  auto const n = std::size_t(kind.atoms()), count = q.size() / n;
+  auto out = fmt::output_file(file.string());
+  out.print("molecules\n\n{} atoms\n{} atom types\n", q.size(), kind.masses_of_types.size());
+  for (std::size_t k = 0; k < 4; ++k)
+    if (kind.bonded_types[k] > 0)
+      out.print("{0} {1}s\n{2} {1} types\n", count * kind.bonded[k].size(), bonded_names[k],
+                kind.bonded_types[k]);
+  out.print("0 {} xlo xhi\n0 {} ylo yhi\n0 {} zlo zhi\n\nMasses\n\n", box.edge.x, box.edge.y, box.edge.z);
+  for (std::size_t type = 0; type < kind.masses_of_types.size(); ++type)
+    out.print("{} {}\n", type + 1, kind.masses_of_types[type]);
+  out.print("\nAtoms # {}\n\n", kind.atom_style);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    out.print("{} {} {}", i + 1, i / n + 1, kind.types[i % n]);
+    if (kind.atom_style == "full")
+      out.print(" {}", kind.charges[i % n]);
+    Vec3 const inside = box.wrap(q[i]);
+    out.print(" {} {} {}\n", inside.x, inside.y, inside.z);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (kind.bonded[k].empty())
+      continue;
+    std::string const name = bonded_names[k];
+    out.print("\n{}{}s\n\n", char(name[0] - 'a' + 'A'), name.substr(1));
+    std::size_t id = 0;
+    for (std::size_t m = 0; m < count; ++m)
+      for (auto const& term : kind.bonded[k]) {
+        out.print("{} {}", ++id, term.type);
+        for (std::size_t a = 0; a < bonded_atoms[k]; ++a)
+          out.print(" {}", m * n + std::size_t(term.atoms[a]) + 1);
+        out.print("\n");
+      }
+  }
+}
+
+} // namespace mesobridge::md
