@@ -72,7 +72,7 @@ Result transport(CgTransportOptions const& options, Context const& context) {
   std::optional<TransportResult> other;
   if (options.beside)
     other = read_transport(*options.beside); // before any work
-  check(options.waves);
+  cg::check(options.waves);
   auto const motion = read_motion(options.input, context);
   auto const viscosity = viscosity_of(motion.series, options.waves);
   auto const diffusion = diffusion_of(motion, options.settings, viscosity.value);
