@@ -63,8 +63,9 @@ class CellGrid {
   std::int64_t stretch_of(unsigned axis, std::int64_t cell) const;
   void find_occupied(std::span<Vec3 const> q, int threads, std::vector<Index>& cell);
   void cover_occupied();
-  Block block_of(Place const& stretches);
-  Index occupied(Place const& place) const; ///< its number, or that of the cell for all empty ones
+  /// number(place): that of a cell, or that of the cell for all empty ones.
+  template <class Number>
+  Block block_of(Place const& stretches, Number const& number);
   Block block_at(std::array<Index, 3> const& corner, std::array<Index, 3> const& width);
   std::span<CellPair const> pairs_of(std::array<Index, 3> const& width);
 
