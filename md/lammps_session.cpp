@@ -62,6 +62,7 @@ struct LammpsSession::Handle {
   std::set<std::string> known_keywords;
   bool spent = false;
   Ranks ranks = Ranks::own;
+  std::function<void(ForcedAtoms const&)> add_forces; ///< LAMMPS calls it by way of this handle
 
   Handle() = default;
   Handle(Handle const&) = delete;
@@ -212,6 +213,28 @@ void LammpsSession::set_velocities(
       Vec3 const now = velocity_of(ids[i], {v[i][0], v[i][1], v[i][2]});
       v[i][0] = now.x, v[i][1] = now.y, v[i][2] = now.z;
     }
+  });
+}
+
+namespace {
+
+/// What LAMMPS calls: the handle, the step, the number of this rank's atoms, their ids, places, and forces to
+/// be filled in.
+template <class Handle>
+void call_back(void* pointer, std::int64_t, int n, int* ids, double**, double** added) {
+  auto& handle = *static_cast<Handle*>(pointer);
+  auto const* const* const f = static_cast<double const* const*>(lammps_extract_atom(handle.lammps, "f"));
+  handle.add_forces({.ids = {ids, std::size_t(n)}, .f = f, .added = added});
+}
+
+} // namespace
+
+void LammpsSession::add_forces(std::function<void(ForcedAtoms const&)> add) {
+  handle_->add_forces = std::move(add);
+  command("fix mesobridge_forces all external pf/callback 1 1");
+  command("fix_modify mesobridge_forces energy no virial no");
+  guarded("set the forces' callback", [&](void* lammps) {
+    lammps_set_fix_external_callback(lammps, "mesobridge_forces", call_back<Handle>, handle_.get());
   });
 }
 

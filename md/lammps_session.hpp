@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,14 @@ struct OwnedAtoms {
   std::vector<std::int64_t> ids; ///< from 1
   std::vector<Vec3> q, v, f;
   std::vector<double> potential; ///< each atom's share of the potential energy; empty if not asked for
+};
+
+/// The atoms of one rank while a step is under way: their ids, the forces that LAMMPS has found, and those to
+/// be added to them, rows of three numbers.
+struct ForcedAtoms {
+  std::span<int const> ids; ///< from 1
+  double const* const* f;
+  double* const* added;
 };
 
 /// One LAMMPS inside this process. LAMMPS writes to its log file only, never to the terminal. Every error
@@ -74,6 +83,10 @@ class LammpsSession {
   OwnedAtoms owned_atoms(std::string const& energy_compute);
   /// Gives the atoms of this rank new velocities between two runs.
   void set_velocities(std::function<Vec3(std::int64_t id, Vec3 const& velocity)> const& velocity_of);
+
+  /// From here on, each time that the forces on all atoms are complete, `add` says what comes on top of them.
+  /// It belongs to no potential: energy and pressure leave it out. Once in a session.
+  void add_forces(std::function<void(ForcedAtoms const&)> add);
 
   /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
   bool has_style(std::string const& category, std::string const& name) const;

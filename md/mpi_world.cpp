@@ -103,6 +103,11 @@ std::vector<double> MpiWorld::gather_at_root(std::span<double const> numbers) co
   return exchange(to_each);
 }
 
+void MpiWorld::add_up(std::span<double> numbers) const {
+  if (size_ > 1)
+    MPI_Allreduce(MPI_IN_PLACE, numbers.data(), int(numbers.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+}
+
 void MpiWorld::barrier() const {
   MPI_Barrier(MPI_COMM_WORLD);
 }

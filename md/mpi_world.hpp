@@ -37,6 +37,9 @@ class MpiWorld {
   /// The numbers of all ranks in the order of the ranks, on rank 0; nothing elsewhere. All ranks must call
   /// it.
   std::vector<double> gather_at_root(std::span<double const> numbers) const;
+  /// Adds up the numbers of all ranks, place by place, and gives each rank the sums. All ranks must call it
+  /// with as many.
+  void add_up(std::span<double> numbers) const;
   /// Waits for all ranks.
   void barrier() const;
 

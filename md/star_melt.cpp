@@ -1,5 +1,6 @@
 #include "md/star_melt.hpp"
 #include "md/canonical_run.hpp"
+#include "md/held_molecules.hpp"
 #include "md/seeds.hpp"
 #include "md/star_checkpoint.hpp"
 #include "md/star_system.hpp"
@@ -61,14 +62,16 @@ class Stretch {
       lammps_.command_with_file("read_restart", settings_.restart_file());
     set_star_forces(lammps_, settings_.star);
     lammps_.command("timestep {}", settings_.dt);
-    lammps_.command("thermo {}", stretch_.phase == MeltPhase::sample ? settings_.sample_every : 10 * piece);
+    lammps_.command("thermo {}", samples() ? settings_.sample_every : 10 * piece);
     if (stretch_.first_step == 0)
       lammps_.command("velocity all create {} {} dist gaussian", settings_.T, lammps_seed(settings_.seed, 1));
   }
 
   void set_motion() {
     lammps_.command("fix move all nve");
-    if (stretch_.phase == MeltPhase::sample)
+    if (stretch_.phase == MeltPhase::hold)
+      hold();
+    else if (stretch_.phase == MeltPhase::sample)
       lammps_.command("velocity all zero linear"); // exact zeros again after each reading
     else
       lammps_.command("fix bath all langevin {0} {0} {1} {2} zero yes", settings_.T, 1 / settings_.friction,
@@ -83,15 +86,26 @@ class Stretch {
     }
   }
 
+  bool samples() const { return stretch_.phase == MeltPhase::sample || stretch_.phase == MeltPhase::hold; }
+
+  void hold() {
+    held_.emplace(world_, lammps_, settings_.molecules,
+                  std::vector<double>(std::size_t(settings_.star.atoms()), 1.0));
+    held_->stop();
+    if (stretch_.begins)
+      held_->set_temperature(settings_.T), first_energy_.reset();
+    held_->hold();
+  }
+
   bool advance() {
     std::int64_t const begin = stretch_.first_step, end = begin + stretch_.steps;
-    std::int64_t const step = stretch_.phase == MeltPhase::sample ? settings_.sample_every : piece;
+    std::int64_t const step = samples() ? settings_.sample_every : piece;
     for (std::int64_t done = begin; done < end;) {
       std::int64_t const next = std::min(step, end - done);
       lammps_.command("run {} pre {} post no start {} stop {}", next, done == begin ? "yes" : "no", begin,
                       end);
       done += next;
-      if (stretch_.phase == MeltPhase::sample)
+      if (samples())
         deliver();
       if (!asked(done))
         return false;
@@ -100,7 +114,9 @@ class Stretch {
   }
 
   void deliver() {
-    auto const frame = collect_molecules(world_, lammps_, settings_.molecules, settings_.star.atoms());
+    auto frame = collect_molecules(world_, lammps_, settings_.molecules, settings_.star.atoms());
+    if (held_)
+      held_->put_back(frame);
     if (!first_energy_)
       first_energy_ = frame.energy;
     double const astray = std::abs(frame.energy - *first_energy_) / (beads_of(settings_) * settings_.T);
@@ -127,6 +143,7 @@ class Stretch {
   std::int64_t all_steps_;
   std::optional<double>& first_energy_;
   LammpsSession lammps_;
+  std::optional<HeldMolecules> held_;
 };
 
 } // namespace
@@ -199,19 +216,25 @@ std::int64_t frames_of(StarMeltSettings const& settings) {
   return settings.sampling_steps / settings.sample_every;
 }
 
-bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
-                      StarConsumers const& consumers) {
-  check(settings);
-  auto const stretches = plan(settings);
-  std::int64_t const done = step_to_begin_at(
-      world, settings, stretches, resume,
-      fmt::format("resume with a length that is a multiple of {} steps", settings.checkpoint_every));
+bool run_stretches(MpiWorld const& world, StarMeltSettings const& settings,
+                   std::vector<MeltStretch> const& stretches, bool resume, std::string const& why,
+                   StarConsumers const& consumers) {
+  std::int64_t const done = step_to_begin_at(world, settings, stretches, resume, why);
   std::optional<double> first_energy;
   for (auto const& stretch : stretches)
     if (stretch.first_step >= done &&
         !Stretch(world, settings, consumers, stretch, steps_of(stretches), first_energy).run())
       return false;
   return true;
+}
+
+bool sample_star_melt(MpiWorld const& world, StarMeltSettings const& settings, bool resume,
+                      StarConsumers const& consumers) {
+  check(settings);
+  return run_stretches(
+      world, settings, plan(settings), resume,
+      fmt::format("resume with a length that is a multiple of {} steps", settings.checkpoint_every),
+      consumers);
 }
 
 } // namespace mesobridge::md

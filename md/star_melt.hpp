@@ -25,21 +25,23 @@ struct StarMeltSettings {
   std::int64_t sample_every = 100;       ///< steps
   std::int64_t checkpoint_every = 10000; ///< steps, a multiple of sample_every
   std::uint64_t seed = 1;
+  std::string name = "star-melt";        ///< of the checkpoint
   std::filesystem::path directory = "."; ///< exists; gets LAMMPS's log and the checkpoint
 
   std::filesystem::path log_file() const { return directory / "lammps.log"; }
-  std::filesystem::path restart_file() const { return directory / "star-melt.restart"; }
+  std::filesystem::path restart_file() const { return directory / (name + ".restart"); }
   /// What decides the run, in one line: a run may be resumed by equal settings only (but for its length).
   std::string fingerprint() const;
 };
 
-enum class MeltPhase { squeeze, rest, equilibrate, sample };
+enum class MeltPhase { squeeze, rest, equilibrate, sample, hold };
 
 /// A stretch of the run between two checkpoints.
 struct MeltStretch {
   MeltPhase phase = MeltPhase::sample;
   std::int64_t first_step = 0, steps = 0;
-  double rho = 0; ///< at its end
+  double rho = 0;      ///< at its end
+  bool begins = false; ///< to hold the molecules' centres; what follows goes on with it
 };
 
 /// The whole run, stretch by stretch. Every stretch starts from a checkpoint file, of the unbroken run too,
@@ -48,6 +50,12 @@ std::vector<MeltStretch> plan(StarMeltSettings const& settings);
 
 /// Throws InputError that names the quantity when the settings make no sense.
 void check(StarMeltSettings const& settings);
+
+/// Makes the stretches of a run that are left after its checkpoint, if it is resumed, or all. Otherwise as
+/// sample_star_melt; `why` ends the refusal of a checkpoint that none of them begins at.
+bool run_stretches(MpiWorld const& world, StarMeltSettings const& settings,
+                   std::vector<MeltStretch> const& stretches, bool resume, std::string const& why,
+                   StarConsumers const& consumers);
 
 /// Makes the run, or what is left of it when `resume` and a checkpoint is there. All ranks call it together.
 /// Returns false when a consumer stopped it. Throws InputError, LammpsError, and PhysicsError when the run

@@ -12,11 +12,13 @@ Command::Action md_hugoniot_command(CLI::App&);
 Command::Action md_piston_shock_command(CLI::App&);
 Command::Action md_star_melt_command(CLI::App&);
 Command::Action md_star_vacuum_command(CLI::App&);
+Command::Action md_held_blobs_command(CLI::App&);
 Command::Action cg_state_grid_command(CLI::App&);
 Command::Action cg_blobs_command(CLI::App&);
 Command::Action cg_correlations_command(CLI::App&);
 Command::Action cg_transport_command(CLI::App&);
 Command::Action cg_potential_command(CLI::App&);
+Command::Action cg_friction_command(CLI::App&);
 Command::Action cg_entropy_command(CLI::App&);
 Command::Action fit_lj_bwr_command(CLI::App&);
 Command::Action fit_dpde_command(CLI::App&);
@@ -72,6 +74,10 @@ std::vector<Command> commands() {
        .summary = "Isolated star polymers with LAMMPS, at set temperatures or energies",
        .example = "mesobridge md star-vacuum --star 6-3 --T 0.85 1 1.18 -o out/vacuum",
        .declare = md_star_vacuum_command},
+      {.name = "md held-blobs",
+       .summary = "Forces on the molecules of a melt whose centres are held, for their pair friction",
+       .example = "mesobridge md held-blobs -o out/held",
+       .declare = md_held_blobs_command},
       {.name = "cg state-grid",
        .summary = "Pressure, energy and heat capacity of each sampled state, with errors",
        .example = "mesobridge cg state-grid out/lj/lj-grid.h5",
@@ -92,6 +98,10 @@ std::vector<Command> commands() {
        .summary = "A pair potential that gives particles the structure of molecules' centres of mass",
        .example = "mesobridge cg potential out/melt/blobs.h5",
        .declare = cg_potential_command},
+      {.name = "cg friction",
+       .summary = "Friction of pairs over their distance, from molecules that were held at their centres",
+       .example = "mesobridge cg friction out/held/held.h5",
+       .declare = cg_friction_command},
       {.name = "cg entropy",
        .summary = "Entropy, temperature and heat capacity of a blob: melt and vacuum, every route",
        .example = "mesobridge cg entropy --melt out/melt/blobs.h5 --vacuum out/vacuum/vacuum.h5",

@@ -49,10 +49,7 @@ void declare(CLI::App& app, MdStarMeltOptions& options) {
   auto& s = options.settings;
   add_preset(app, options.preset, "The 6-3 melt of chapter 3: quick (minutes), standard or paper");
   add_options(app, options.stars, s, "Steps at the final density", "Steps at constant energy");
-  app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
-  app.add_option("--T", s.T, "Temperature of the thermostat (default 1)");
-  app.add_option("--friction", s.friction, "Friction of the thermostat (default 1)");
-  app.add_option("--squeeze-steps", s.squeeze_steps, "Steps of each growth of the density");
+  add_melt_options(app, s);
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 namespace mesobridge::workflows {
 
 std::span<Source const> all_sources() {
-  static constexpr std::array<Source, 13> sources{{
+  static constexpr std::array<Source, 14> sources{{
       {"Dehnen and Aly 2012", "W. Dehnen, H. Aly",
        "Improving convergence in smoothed particle hydrodynamics simulations without pairing instability",
        "Mon. Not. R. Astron. Soc. 425, 1068-1082", 2012, "https://doi.org/10.1111/j.1365-2966.2012.21439.x"},
@@ -25,6 +25,9 @@ std::span<Source const> all_sources() {
       {"Gronbech-Jensen and Farago 2013", "N. Grønbech-Jensen, O. Farago",
        "A simple and effective Verlet-type algorithm for simulating Langevin dynamics",
        "Mol. Phys. 111, 983-991", 2013, "https://doi.org/10.1080/00268976.2012.760055"},
+      {"Hijon et al. 2010", "C. Hijón, P. Español, E. Vanden-Eijnden, R. Delgado-Buscalioni",
+       "Mori-Zwanzig formalism as a practical computational tool", "Faraday Discuss. 144, 301-322", 2010,
+       "https://doi.org/10.1039/B902479B"},
       {"Hubber et al. 2018", "D. A. Hubber, G. P. Rosotti, R. A. Booth",
        "GANDALF - Graphical Astrophysics code for N-body Dynamics And Lagrangian Fluids",
        "Mon. Not. R. Astron. Soc. 473, 1603-1632", 2018, "https://doi.org/10.1093/mnras/stx2405"},

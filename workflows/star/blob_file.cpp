@@ -7,26 +7,70 @@ namespace mesobridge::workflows {
 
 namespace {
 
-std::vector<Vec3> vectors(std::vector<double> const& flat, std::size_t count) {
-  std::vector<Vec3> result(count);
-  for (std::size_t k = 0; k < count; ++k)
+void refuse_other(Store const& store, std::filesystem::path const& file) {
+  if (!store.contains("settings") || !store.has_attribute("settings", "atoms_per_molecule"))
+    throw InputError(
+        fmt::format("'{}' holds no blobs of `md star-melt`, `md star-vacuum` or `cg blobs`", file.string()));
+}
+
+void refuse_held(BlobFileHead const& head, std::filesystem::path const& file) {
+  if (head.kind == "held")
+    throw InputError(
+        fmt::format("'{}' holds molecules whose centres were held: `cg friction` reads it", file.string()));
+}
+
+/// Versions without marks left columns of different lengths when they were killed while they wrote.
+void refuse_ragged(Store const& store, std::filesystem::path const& file) {
+  auto const frames = store.rows("frames/step");
+  for (std::string const group : {"frames", "blobs"})
+    for (auto const& name : store.list(group))
+      if (auto const rows = store.rows(group + "/" + name); rows != frames || rows == 0)
+        throw InputError(fmt::format("'{}': {}/{} has {} rows, frames/step {}: the run that wrote it was "
+                                     "broken off in the middle; make it again without --resume",
+                                     file.string(), group, name, rows, frames));
+}
+
+} // namespace
+
+std::vector<Vec3> vectors_of(std::vector<double> const& flat) {
+  std::vector<Vec3> result(flat.size() / 3);
+  for (std::size_t k = 0; k < result.size(); ++k)
     result[k] = {flat[3 * k], flat[3 * k + 1], flat[3 * k + 2]};
   return result;
 }
 
-/// One number of each blob.
-std::vector<double> scalars(cg::BlobFrame const& frame, double cg::Blob::*member) {
+std::vector<double> row_of(cg::BlobFrame const& frame, double cg::Blob::*member) {
   std::vector<double> row;
   for (auto const& blob : frame.blobs)
     row.push_back(blob.*member);
   return row;
 }
 
-std::vector<double> flat(cg::BlobFrame const& frame, Vec3 cg::Blob::*member) {
+std::vector<double> row_of(cg::BlobFrame const& frame, Vec3 cg::Blob::*member) {
   std::vector<double> row;
   for (auto const& blob : frame.blobs)
     row.insert(row.end(), {(blob.*member).x, (blob.*member).y, (blob.*member).z});
   return row;
+}
+
+void write_head(Store& store, BlobFileHead const& head) {
+  store.set_attribute("settings", "kind", head.kind);
+  store.set_attribute("settings", "name", head.name);
+  store.set_attribute("settings", "fingerprint", head.fingerprint);
+  store.set_attribute("settings", "molecules", std::int64_t{head.molecules});
+  store.set_attribute("settings", "atoms_per_molecule", std::int64_t{head.atoms});
+  store.set_attribute("settings", "mass", head.mass);
+  store.set_attribute("settings", "rho", head.rho);
+  store.set_attribute("settings", "T", head.T);
+  BlobFileHead const usual;
+  if (head.units != usual.units)
+    store.set_attribute("settings", "unit_system", head.units);
+  if (head.walls != usual.walls)
+    store.set_attribute("settings", "walls", head.walls);
+  if (head.time_unit != usual.time_unit)
+    store.set_attribute("settings", "time_unit", head.time_unit);
+  if (!head.set.empty())
+    store.write("settings/set", std::span<double const>(head.set));
 }
 
 BlobFileHead read_head(Store const& store) {
@@ -55,49 +99,17 @@ BlobFileHead read_head(Store const& store) {
   return head;
 }
 
-void refuse_other(Store const& store, std::filesystem::path const& file) {
-  if (!store.contains("settings") || !store.has_attribute("settings", "atoms_per_molecule"))
-    throw InputError(
-        fmt::format("'{}' holds no blobs of `md star-melt`, `md star-vacuum` or `cg blobs`", file.string()));
+void refuse_other_settings(Store const& store, std::string const& fingerprint) {
+  if (auto const was = store.read_text_attribute("settings", "fingerprint"); was != fingerprint)
+    throw InputError(fmt::format("--resume: '{}' was made with other settings ({}); without --resume it is "
+                                 "replaced",
+                                 store.file().string(), was));
 }
-
-} // namespace
-
-namespace {
-
-/// Versions without marks left columns of different lengths when they were killed while they wrote.
-void refuse_ragged(Store const& store, std::filesystem::path const& file) {
-  auto const frames = store.rows("frames/step");
-  for (std::string const group : {"frames", "blobs"})
-    for (auto const& name : store.list(group))
-      if (auto const rows = store.rows(group + "/" + name); rows != frames || rows == 0)
-        throw InputError(fmt::format("'{}': {}/{} has {} rows, frames/step {}: the run that wrote it was "
-                                     "broken off in the middle; make it again without --resume",
-                                     file.string(), group, name, rows, frames));
-}
-
-} // namespace
 
 BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance)
     : store_(file, Store::Mode::create, Store::Safety::marked) {
   write_provenance(store_, provenance);
-  store_.set_attribute("settings", "kind", head.kind);
-  store_.set_attribute("settings", "name", head.name);
-  store_.set_attribute("settings", "fingerprint", head.fingerprint);
-  store_.set_attribute("settings", "molecules", std::int64_t{head.molecules});
-  store_.set_attribute("settings", "atoms_per_molecule", std::int64_t{head.atoms});
-  store_.set_attribute("settings", "mass", head.mass);
-  store_.set_attribute("settings", "rho", head.rho);
-  store_.set_attribute("settings", "T", head.T);
-  BlobFileHead const usual;
-  if (head.units != usual.units)
-    store_.set_attribute("settings", "unit_system", head.units);
-  if (head.walls != usual.walls)
-    store_.set_attribute("settings", "walls", head.walls);
-  if (head.time_unit != usual.time_unit)
-    store_.set_attribute("settings", "time_unit", head.time_unit);
-  if (!head.set.empty())
-    store_.write("settings/set", std::span<double const>(head.set));
+  write_head(store_, head);
   store_.mark();
 }
 
@@ -106,10 +118,7 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
   {
     Store const store(file, Store::Mode::read);
     refuse_other(store, file);
-    if (auto const was = store.read_text_attribute("settings", "fingerprint"); was != fingerprint)
-      throw InputError(fmt::format("--resume: '{}' was made with other settings ({}); without --resume it is "
-                                   "replaced",
-                                   file.string(), was));
+    refuse_other_settings(store, fingerprint);
   }
   BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked));
   if (auto const& store = blobs.store_; store.contains("frames/step")) {
@@ -132,12 +141,12 @@ void BlobFile::append(std::span<cg::BlobFrame const> frames) {
     add("frames/energy", std::span(&frame.energy, 1));
     add("frames/pressure", std::span(&frame.pressure, 1));
     auto const n = frame.blobs.size();
-    add("blobs/R", flat(frame, &cg::Blob::R), {n, 3});
-    add("blobs/P", flat(frame, &cg::Blob::P), {n, 3});
-    add("blobs/F", flat(frame, &cg::Blob::F), {n, 3});
-    add("blobs/U_kin", scalars(frame, &cg::Blob::U_kin), {n});
-    add("blobs/U_pot", scalars(frame, &cg::Blob::U_pot), {n});
-    add("blobs/Phi", scalars(frame, &cg::Blob::Phi), {n});
+    add("blobs/R", row_of(frame, &cg::Blob::R), {n, 3});
+    add("blobs/P", row_of(frame, &cg::Blob::P), {n, 3});
+    add("blobs/F", row_of(frame, &cg::Blob::F), {n, 3});
+    add("blobs/U_kin", row_of(frame, &cg::Blob::U_kin), {n});
+    add("blobs/U_pot", row_of(frame, &cg::Blob::U_pot), {n});
+    add("blobs/Phi", row_of(frame, &cg::Blob::Phi), {n});
   }
   store_.mark();
 }
@@ -149,7 +158,9 @@ void BlobFile::close() {
 BlobFileHead read_blob_head(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
   refuse_other(store, file);
-  return read_head(store);
+  auto const head = read_head(store);
+  refuse_held(head, file);
+  return head;
 }
 
 void refuse_walls(BlobFileHead const& head, std::filesystem::path const& file, std::string const& what) {
@@ -169,6 +180,7 @@ BlobData read_blobs(std::filesystem::path const& file) {
   refuse_other(store, file);
   BlobData data;
   data.head = read_head(store);
+  refuse_held(data.head, file);
   if (!store.contains("frames/step"))
     throw InputError(
         fmt::format("'{}' holds no frame yet: the run has not reached its sampling", file.string()));
@@ -181,13 +193,11 @@ BlobData read_blobs(std::filesystem::path const& file) {
   data.times = store.read_doubles("frames/time", number);
   data.energies = store.read_doubles("frames/energy", number);
   data.pressures = store.read_doubles("frames/pressure", number);
-  for (auto const& edge :
-       vectors(store.read_doubles("frames/box",
-                                  {.rows = frames, .row_shape = Store::Shape{3}, .bounds = {.above = 0}}),
-               frames))
+  for (auto const& edge : vectors_of(store.read_doubles(
+           "frames/box", {.rows = frames, .row_shape = Store::Shape{3}, .bounds = {.above = 0}})))
     data.boxes.push_back({edge});
-  data.R = vectors(store.read_doubles("blobs/R", vectors_of_blobs), frames * molecules);
-  data.P = vectors(store.read_doubles("blobs/P", vectors_of_blobs), frames * molecules);
+  data.R = vectors_of(store.read_doubles("blobs/R", vectors_of_blobs));
+  data.P = vectors_of(store.read_doubles("blobs/P", vectors_of_blobs));
   data.U_kin = store.read_doubles("blobs/U_kin", of_blobs);
   data.U_pot = store.read_doubles("blobs/U_pot", of_blobs);
   data.Phi = store.read_doubles("blobs/Phi", of_blobs);

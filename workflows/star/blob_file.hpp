@@ -8,7 +8,7 @@ namespace mesobridge::workflows {
 
 /// What a file of blobs says about itself.
 struct BlobFileHead {
-  std::string kind;        ///< "melt", "vacuum canonical", "vacuum microcanonical", "trajectory"
+  std::string kind;        ///< "melt", "vacuum canonical", "vacuum microcanonical", "trajectory", "held"
   std::string name;        ///< of the molecules, "6-3"
   std::string fingerprint; ///< of the settings that decide the run
   int molecules = 0;
@@ -21,6 +21,18 @@ struct BlobFileHead {
   std::string walls{};      ///< the axes, "z" say, along which the box is not periodic
   std::string time_unit{};  ///< "steps" where the trajectory says no time; otherwise that of the unit style
 };
+
+/// What a file says about itself goes into the group "settings" and comes from there.
+void write_head(Store& store, BlobFileHead const& head);
+BlobFileHead read_head(Store const& store);
+/// Throws InputError when a file that is to be continued was made by other settings.
+void refuse_other_settings(Store const& store, std::string const& fingerprint);
+
+/// Vectors of blobs from a row of a file.
+std::vector<Vec3> vectors_of(std::vector<double> const& flat);
+/// A row of a file: one number of each blob, or the components of one vector.
+std::vector<double> row_of(cg::BlobFrame const& frame, double cg::Blob::*member);
+std::vector<double> row_of(cg::BlobFrame const& frame, Vec3 cg::Blob::*member);
 
 /// A time series of blobs: frames/step, time, box, energy, pressure; blobs/R, P, F, U_kin, U_pot, Phi, one
 /// row a frame.

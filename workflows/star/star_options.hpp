@@ -20,12 +20,21 @@ void add_options(CLI::App& app, StarOptions& options, Settings& s, std::string c
                  std::string const& sampling) {
   app.add_option("--star", options.star, "ARMS-BEADS, up to 12-24 (default 6-3)")->type_name("N-N");
   app.add_option("--molecules", s.molecules, fmt::format("Number of stars (default {})", s.molecules));
-  app.add_option("--dt", s.dt, "Time step (default 0.001)");
+  app.add_option("--dt", s.dt, fmt::format("Time step (default {})", s.dt));
   app.add_option("--equilibration-steps", s.equilibration_steps, equilibration);
   app.add_option("--sampling-steps", s.sampling_steps, sampling);
   app.add_option("--sample-every", s.sample_every,
                  fmt::format("Steps between frames (default {})", s.sample_every));
   add_restarts(app, s.checkpoint_every, options.resume, options.started_by_ourselves);
+}
+
+/// Adds those of melts.
+template <class Settings>
+void add_melt_options(CLI::App& app, Settings& s) {
+  app.add_option("--rho", s.rho, "Beads per sigma^3 (default 0.3)");
+  app.add_option("--T", s.T, "Temperature of the thermostat (default 1)");
+  app.add_option("--friction", s.friction, "Friction of the thermostat (default 1)");
+  app.add_option("--squeeze-steps", s.squeeze_steps, "Steps of each growth of the density");
 }
 
 /// Makes the run by `sample`, on as many ranks as the context asks for, and tells of it by the text of its

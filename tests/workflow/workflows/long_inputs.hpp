@@ -3,7 +3,7 @@
 #include "unit/fitting/synthetic_grid.hpp"
 #include "workflows/lj/grid_file.hpp"
 #include "workflows/lj/state_grid_file.hpp"
-#include "workflows/star/blob_file.hpp"
+#include "workflows/star/held_file.hpp"
 #include "workflows/text_file.hpp"
 
 // Inputs with which the commands that analyse and fit are busy for several seconds.
@@ -57,6 +57,32 @@ inline void write_many_blobs(std::filesystem::path const& file, std::string cons
       blobs.append(some), some.clear();
   }
   blobs.close();
+}
+
+/// Forces on held molecules, without any between pairs.
+inline void write_many_held(std::filesystem::path const& file, int molecules, int configurations,
+                            int frames) {
+  workflows::BlobFileHead const head{.kind = "held",
+                                     .name = "6-3",
+                                     .fingerprint = "test",
+                                     .molecules = molecules,
+                                     .atoms = 19,
+                                     .mass = 19,
+                                     .rho = 0.3,
+                                     .T = 1,
+                                     .set = {}};
+  workflows::HeldFile held(file, head, frames, {.command = "test", .seed = 1, .scene = "", .inputs = {}});
+  RandomBlobs random(std::cbrt(19 * molecules / 0.3), 5);
+  std::mt19937_64 bits(3);
+  std::normal_distribution<double> normal;
+  auto frame = random.frame(0, molecules);
+  for (int k = 0; k < configurations * frames; ++k) {
+    frame.step = k, frame.time = 0.02 * k;
+    for (auto& blob : frame.blobs) // with a memory of two frames
+      blob.U_kin = 27, blob.F = 0.6 * blob.F + 0.8 * Vec3{normal(bits), normal(bits), normal(bits)};
+    held.append(frame);
+  }
+  held.close();
 }
 
 /// A text dump of dimers (tests/cases/dump/dimer.toml) on a lattice.
