@@ -105,7 +105,7 @@ std::vector<VerdictLine> verdicts_of(Kept const& kept) {
 
 Section commands(StarToDpdePlan const& plan, std::filesystem::path const& directory) {
   Section section{
-      "How it was made",
+      "The stages one by one",
       {Paragraph{"Each line can be typed as it stands, in the folder in which this one was called:"}}};
   auto stages = model_stages(plan, directory);
   auto const later = run_stages(directory);

@@ -67,6 +67,24 @@ TEST(StarToDpde, AMeltBecomesAFluidAndIsComparedWithIt) {
   auto const twice = Json::parse(again.output);
   for (char const* const key : {"diffusion_dpde", "P_dpde", "gamma_self", "g_deviation"})
     EXPECT_EQ(twice[key], json[key]) << key;
+
+  // What makes no exchange of energy or no model is refused.
+  auto const blobs = (scratch / "melt/blobs.h5").string();
+  int refused = 0;
+  for (std::vector<std::string> const& words : std::vector<std::vector<std::string>>{
+           {"cg", "exchange", blobs, "--cutoff", "100"},
+           {"cg", "exchange", blobs, "--to", "1000"},
+           {"cg", "exchange", blobs, "--bin-width", "0"},
+           {"cg", "exchange", blobs, "--from", "-1"},
+           {"cg", "exchange", blobs, "--friction", (scratch / "potential/potential.csv").string()},
+           {"cg", "exchange", (scratch / "held/held.h5").string()},
+           {"fit", "dpde", blobs, "--friction", (scratch / "exchange/conduction.csv").string()},
+           {"fit", "dpde", blobs, "--potential", (scratch / "none.csv").string()}}) {
+    auto const no = program(words);
+    EXPECT_EQ(no.status, 2) << words[1] << " " << words.back() << no.errors;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 8);
 }
 
 TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
