@@ -1,5 +1,6 @@
 #include "fitting/fit_coordinates.hpp"
 #include "md/error.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace mesobridge::fitting {
@@ -24,8 +25,10 @@ double to_unit(Parameter const& p, double value) {
 }
 
 double from_unit(Parameter const& p, double u) {
-  return p.logarithmic ? p.lower * std::exp(u * std::log(p.upper / p.lower))
-                       : p.lower + u * (p.upper - p.lower);
+  double const value =
+      p.logarithmic ? p.lower * std::exp(u * std::log(p.upper / p.lower)) : p.lower + u * (p.upper - p.lower);
+  // Round-off may carry what lies on a bound beyond it.
+  return u >= 0 && u <= 1 ? std::min(std::max(value, p.lower), p.upper) : value;
 }
 
 double slope(Parameter const& p, double u) {

@@ -58,7 +58,8 @@ void check_internal_energy(Scene const& scene, Places const& places) {
   if (scene.features().energies && (!either || (heat_capacity && model)))
     throw InputError(fmt::format("{}: a {} scene needs one of internal_energy.heat_capacity, "
                                  "internal_energy.model and particles.model{}",
-                                 places.of("method.name"), scene.method.name, model ? ", not both of the first two" : ""));
+                                 places.of("method.name"), scene.method.name,
+                                 model ? ", not both of the first two" : ""));
 }
 
 void resolve(std::optional<std::string>& file, std::string const& key, std::filesystem::path const& folder,
@@ -82,19 +83,20 @@ std::optional<fitting::ParticleModel> particle_model_of(Scene const& scene) {
 void take_particle_model(Scene& scene, Places const& places) {
   auto const model = particle_model_of(scene);
   auto& mass = scene.particles.mass;
-  if (!scene.conduction.kappa && !model)
-    scene.conduction.kappa = 0;
   if (model) {
     bool const reduced = scene.units == UnitSystem::lj;
     require_together(model->reduced == reduced, places, "particles.model", *scene.particles.model,
                      model->reduced ? "its numbers are reduced, but units = \"SI\""
                                     : "its numbers are in SI, but units = \"lj\"");
     mass = mass ? mass : model->mass;
+    if (!places.given("conduction.kappa") && !scene.conduction.file)
+      scene.conduction.kappa.reset();
     if (!places.given("potential.name") && !model->potential.empty())
       scene.potential.name = "model";
   }
   if (!scene.features().densities && !mass)
-    throw InputError(fmt::format("{}: key 'particles.mass' is missing (mass of one particle){}", places.of("method.name"),
+    throw InputError(fmt::format("{}: key 'particles.mass' is missing (mass of one particle){}",
+                                 places.of("method.name"),
                                  model ? ", which particles.model does not hold" : ""));
 }
 

@@ -136,8 +136,8 @@ struct Scene {
     std::optional<std::string> file;
     bool operator==(Friction const&) const = default;
   } friction;
-  struct Conduction { ///< dpde; the file, or the others
-    std::optional<double> kappa;
+  struct Conduction {                ///< dpde; the file, or the others
+    std::optional<double> kappa = 0; ///< nothing: that of particles.model
     std::optional<double> cutoff, exponent;
     std::optional<std::string> file;
     bool operator==(Conduction const&) const = default;

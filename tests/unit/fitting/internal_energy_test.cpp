@@ -148,7 +148,7 @@ TEST(ParticleModelFile, NamesFileKeyAndWhatIsAllowed) {
     }
   };
   std::string const head = "format = \"mesobridge internal energy 1\"\ntemperature_unit = \"K\"\n";
-  refused("format = \"x\"\n", "mesobridge internal energy 1");
+  refused("format = \"x\"\n", "mesobridge particle 1");
   refused(head + "kind = \"linear\"\n", "heat-capacity");
   refused(head + "kind = \"constant\"\n[constant]\nC_kB = -1.0\n", "must be > 0");
   refused(head + "kind = \"constant\"\n[constant]\nC_kB = 2.0\nD = 1.0\n", "D");

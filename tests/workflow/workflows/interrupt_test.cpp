@@ -88,7 +88,7 @@ class Interrupts : public testing::Test {
     tests::write_long_series(in / "lj-grid.h5", 40, 40000);
     tests::write_many_blobs(in / "melt.h5", "melt", 1000, 300);
     tests::write_many_blobs(in / "vacuum.h5", "vacuum canonical", 400, 6000);
-    tests::write_many_held(in / "held.h5", 1500, 4, 200);
+    tests::write_many_held(in / "held.h5", 1500, 4, 500);
     tests::write_long_dump(in / "long.lammpstrj", 400);
   }
   static void TearDownTestSuite() { place_.reset(); }
