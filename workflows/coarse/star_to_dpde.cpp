@@ -1,5 +1,6 @@
 #include "workflows/coarse/star_to_dpde.hpp"
 #include "md/error.hpp"
+#include "md/held_blobs.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -55,6 +56,11 @@ StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) 
 
 void check(StarToDpdePlan const& plan) {
   md::check(plan.melt);
+  md::HeldBlobsSettings held;
+  static_cast<md::StarMeltSettings&>(held) = plan.melt;
+  held.sample_every = md::HeldBlobsSettings().sample_every;
+  held.sampling_steps = plan.held_steps, held.configurations = plan.configurations;
+  md::check(held);
   require(plan.configurations >= 4, "configurations of held centres", plan.configurations,
           "must be at least 4 for standard errors");
   require(plan.run_time > 0 && std::isfinite(plan.run_time), "time of the coarse run", plan.run_time,

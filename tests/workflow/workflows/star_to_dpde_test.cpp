@@ -96,7 +96,7 @@ TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
                                 {{"--configurations", "3"}, "at least 4"},
                                 {{"--star", "6"}, "6"},
                                 {{"--rho", "0.9"}, "density rho"},
-                                {{"--held-steps", "0"}, "held"},
+                                {{"--held-steps", "0"}, "sampling steps"},
                                 {{"--T", "-1"}, "temperature T"}};
   int refused = 0;
   for (auto const& [words, message] : cases) {
