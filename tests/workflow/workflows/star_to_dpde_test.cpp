@@ -56,7 +56,7 @@ TEST(StarToDpde, AMeltBecomesAFluidAndIsComparedWithIt) {
   EXPECT_GT(json["gamma_self"], 1);
   EXPECT_NEAR(json["T_kin_dpde"].get<double>() / json["T_kin_md"].get<double>(), 1, 0.02);
   auto const html = read_text_file(scratch / "report.html");
-  for (char const* const part : {"md held-blobs", "cg friction", "Velocit", "Radial distribution"})
+  for (char const* const part : {"md held-blobs", "cg friction", "Correlation of the velocities", "Radial distribution"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 
   auto const of_melt = std::filesystem::last_write_time(scratch / "melt/blobs.h5");
