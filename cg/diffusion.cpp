@@ -1,4 +1,5 @@
 #include "cg/diffusion.hpp"
+#include "cg/decay_lag.hpp"
 #include "cg/jackknife.hpp"
 #include "cg/own_motion.hpp"
 #include "md/error.hpp"
@@ -85,14 +86,9 @@ double slope(Sums const& sums, std::size_t first, std::size_t last, double inter
   return n > 1 ? up / down / (6 * sums.back() * interval) : 0;
 }
 
-/// The lag, not whole, at which the velocity's correlation has come to 1/e of its first value; the last one
-/// where it does not.
-double decay_lag(Sums const& sums, std::size_t lags) {
-  double const goal = sums[lags] / std::numbers::e;
-  for (std::size_t lag = 1; lag < lags; ++lag)
-    if (double const now = sums[lags + lag], before = sums[lags + lag - 1]; now < goal)
-      return double(lag) - (goal - now) / (before - now);
-  return double(lags - 1);
+/// When the velocity's correlation has fallen to 1/e, in frames.
+double velocity_decay_lag(Sums const& sums, std::size_t lags) {
+  return decay_lag(lags, [&](std::size_t lag) { return sums[lags + lag]; });
 }
 
 } // namespace
@@ -111,13 +107,13 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
   Sums all(2 * lags + 1, 0.0);
   for (auto const& group : groups)
     std::transform(group.begin(), group.end(), all.begin(), all.begin(), std::plus<>());
-  auto const window = std::size_t(std::ceil(window_in_decays * decay_lag(all, lags)));
+  auto const window = std::size_t(std::ceil(window_in_decays * velocity_decay_lag(all, lags)));
   bool const resolved = all[lags + 1] > least_resolved * all[lags] && window <= last;
   double const N = double(series.molecules), alone = N / (N - 1); // all together have taken one's share
   auto const estimates = jackknife(groups, [&](Sums const& sums) {
     std::vector<double> numbers{
         alone * slope(sums, last / 2, last, interval), alone * slope(sums, last / 4, last / 2, interval),
-        alone * series.mass * sums[lags] / (3 * sums.back()), decay_lag(sums, lags) * interval};
+        alone * series.mass * sums[lags] / (3 * sums.back()), velocity_decay_lag(sums, lags) * interval};
     double integral = 0.5 * sums[lags];
     for (std::size_t lag = 1; lag <= std::min(window, last); ++lag)
       integral += sums[lags + lag];

@@ -1,9 +1,10 @@
 #include "cg/energy_exchange.hpp"
+#include "cg/decay_lag.hpp"
 #include "cg/jackknife.hpp"
+#include "cg/own_motion.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace mesobridge::cg {
@@ -24,11 +25,8 @@ void check(BlobSeries const& series, ExchangeSettings const& settings) {
   require(settings.blocks >= 4, "blocks of frames", settings.blocks, "must be at least 4");
   require(series.frames() >= 8 * settings.blocks, "frames", series.frames(),
           fmt::format("at least {} are needed", 8 * settings.blocks));
-  double const interval = series.interval(), half = half_edge(series);
-  for (std::size_t k = 1; k < series.frames(); ++k)
-    require(std::abs(series.times[k] - series.times[k - 1] - interval) < 1e-6 * interval,
-            "interval of frames", series.times[k] - series.times[k - 1],
-            fmt::format("must be {:g} everywhere", interval));
+  require_equal_intervals(series);
+  double const half = half_edge(series);
   require(settings.cutoff >= 0 && settings.cutoff < 0.9 * half, "cut-off", settings.cutoff,
           fmt::format("must be above 0 and below {:.4g}, so that there are molecules beyond it", 0.9 * half));
   require(settings.width > 0 && settings.width <= half / 8, "bin width", settings.width,
@@ -46,16 +44,7 @@ std::vector<double> deviations(BlobSeries const& series) {
   return dU;
 }
 
-/// The lag in frames, not whole, at which a correlation has come to 1/e; the last one where it does not.
-double decay_lag(std::size_t lags, auto const& correlation) {
-  double const goal = correlation(0) / std::numbers::e;
-  for (std::size_t lag = 1; lag < lags; ++lag)
-    if (double const now = correlation(lag), before = correlation(lag - 1); now < goal)
-      return double(lag) - (goal - now) / (before - now);
-  return double(lags - 1);
-}
-
-/// The same of all molecules together, within a block.
+/// The lag in frames at which the correlation of all molecules together, within a block, has come to 1/e.
 double rough_decay(BlobSeries const& series, std::vector<double> const& dU, std::size_t blocks) {
   std::size_t const n = series.frames(), lags = n / blocks;
   std::vector<double> sum(lags, 0.0);

@@ -85,18 +85,18 @@ Table kept_table(Kept const& kept) {
 std::vector<VerdictLine> verdicts_of(Kept const& kept) {
   std::vector<VerdictLine> lines;
   bool const same = kept.g.largest <= 0.02 || kept.g.largest_in_se <= 4;
-  lines.push_back(
-      {.what = "radial distribution",
-       .found = fmt::format("apart by {} at most", number_text(kept.g.largest, 2)),
-       .expected = "0",
-       .verdict = same ? Verdict::passed : Verdict::failed,
-       .deviation = fmt::format("{:.1f} se (the farthest of {})", kept.g.largest_in_se, kept.g.bins)});
+  lines.push_back({.what = "radial distribution",
+                   .found = fmt::format("apart by {} at most", number_text(kept.g.largest, 2)),
+                   .expected = "0",
+                   .verdict = same ? Verdict::passed : Verdict::failed,
+                   .deviation = fmt::format("{:.1f} se (the farthest of {}); wanted: 0.02 or 4 se",
+                                            kept.g.largest_in_se, kept.g.bins)});
   for (auto const& of : kept.quantities)
     lines.push_back({.what = of.what,
                      .found = with_error_text(of.particles),
                      .expected = with_error_text(of.molecules),
                      .verdict = of.kept() ? Verdict::passed : Verdict::failed,
-                     .deviation = fmt::format("{:+.1f} se; wanted: {:g} %",
+                     .deviation = fmt::format("{:+.1f} se; wanted: {:g} % or 3 se",
                                               (of.particles.mean - of.molecules.mean) /
                                                   std::hypot(of.molecules.se, of.particles.se),
                                               100 * of.share)});
