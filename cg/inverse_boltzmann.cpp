@@ -145,19 +145,46 @@ PairPotential inverted(PairPotential const& before, RadialBins const& target, Ra
   return finished(std::move(after), first);
 }
 
-PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
-                                 double excess, double kT) {
-  double const r_c = before.cutoff();
+namespace {
+
+/// The pressure that A (1 - r/r_c) adds, over A.
+double pressure_of_ramp(PairPotential const& potential, RadialBins const& now, double density) {
   double moment = 0;
-  for (std::size_t k = 0; k < before.u.size(); ++k)
-    moment += std::pow(before.r(k), 3) * now.g[k] * before.width;
-  double const most = 0.1 * kT,
-               A = std::clamp(-excess * r_c / (2 * std::numbers::pi / 3 * density * density * moment), -most,
-                              most);
+  for (std::size_t k = 0; k < potential.u.size(); ++k)
+    moment += std::pow(potential.r(k), 3) * now.g[k] * potential.width;
+  return 2 * std::numbers::pi / 3 * density * density * moment / potential.cutoff();
+}
+
+} // namespace
+
+double pressure_change(PairPotential const& before, PairPotential const& after, RadialBins const& now,
+                       double density) {
+  std::size_t const n = before.u.size();
+  auto const change = [&](std::size_t k) { // odd about the cut-off, where it is zero
+    return k < n ? after.u[k] - before.u[k] : before.u[n - 1] - after.u[n - 1];
+  };
+  double virial = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    virial += std::pow(before.r(k), 3) * now.g[k] * (change(k + 1) - change(k == 0 ? 0 : k - 1)) / 2;
+  return -2 * std::numbers::pi / 3 * density * density * virial;
+}
+
+PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
+                                 double excess, double most) {
+  double const A = std::clamp(-excess / pressure_of_ramp(before, now, density), -most, most);
   auto after = before;
   for (std::size_t k = 0; k < after.u.size(); ++k)
-    after.u[k] += A * (1 - after.r(k) / r_c);
+    after.u[k] += A * (1 - after.r(k) / before.cutoff());
   return after;
+}
+
+PairPotential inverted_at_pressure(PairPotential const& before, RadialBins const& target,
+                                   RadialBins const& now, InversionSettings const& settings, double density,
+                                   double excess) {
+  auto const after = inverted(before, target, now, settings);
+  double const change = pressure_change(before, after, now, density),
+               undone = std::abs(change / pressure_of_ramp(before, now, density));
+  return with_less_pressure(after, now, density, excess + change, undone + 0.3 * settings.kT);
 }
 
 std::vector<double> direct_correlation(RadialBins const& bins, double density, double least_S) {

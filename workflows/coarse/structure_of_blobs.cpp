@@ -23,7 +23,11 @@ double kT_of(BlobData const& data) {
       sum += norm2(data.P[k * N + m] - together);
   }
   require(sum > 0 && N > 1, "motion of the molecules", sum, "they must move, or they have no temperature");
-  return sum / (3 * data.head.mass * double(N - 1) * double(data.frames()));
+  double const frames = double(data.frames()), of_centres = sum / data.head.mass;
+  if (data.head.T == 0) // a trajectory, whose atoms may be held together by constraints
+    return of_centres / (3 * double(N - 1) * frames);
+  double const inside = 2 * std::accumulate(data.U_kin.begin(), data.U_kin.end(), 0.0);
+  return (of_centres + inside) / (3 * (double(N) * data.head.atoms - 1) * frames);
 }
 
 CoarseStructure structure_of(BlobData const& data, double width) {
@@ -53,10 +57,12 @@ CoarseStructure structure_of(BlobData const& data, double width) {
   return structure;
 }
 
-double usual_cutoff(cg::RadialBins const& bins) {
+double usual_cutoff(cg::RadialBins const& bins, bool at_pressure) {
   std::size_t last = bins.g.size();
   while (last > 8 && std::abs(bins.g[last - 1] - 1) < 0.02)
     --last;
+  if (at_pressure)
+    last = std::max(last, std::min(last * 13 / 10, bins.g.size() * 17 / 20));
   return double(last) * bins.width;
 }
 

@@ -10,11 +10,12 @@ namespace mesobridge::workflows {
 /// for isolated molecules, or a box of another size in each frame.
 CoarseStructure structure_of(BlobData const& data, double width);
 
-/// k_B T of the centres of mass, whose motion together is taken out. Throws InputError where they are at
-/// rest.
+/// k_B T, the motion of all together taken out: of all atoms of our own melts, and of the centres of mass of
+/// molecules of any origin, whose atoms need not move freely. Throws InputError where they are at rest.
 double kT_of(BlobData const& data);
 
-/// Beyond which g stays within 0.02 of one.
-double usual_cutoff(cg::RadialBins const& bins);
+/// Beyond which g stays within 0.02 of one; for a potential that is to keep the pressure 1.3 times as far,
+/// but at most 0.85 of the bins, since a tail that g hardly feels needs the room.
+double usual_cutoff(cg::RadialBins const& bins, bool at_pressure);
 
 } // namespace mesobridge::workflows
