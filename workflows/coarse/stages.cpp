@@ -42,7 +42,8 @@ FarmedRun run_of(Stage const& stage, bool goes_on, Context const& context) {
     run.argv.emplace_back("--resume");
   else
     run.argv.insert(run.argv.end(), stage.afresh.begin(), stage.afresh.end());
-  if (auto const threads = context.options.threads; threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
+  if (auto const threads = context.options.threads;
+      threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
     run.argv.insert(run.argv.end(), {"--threads", std::to_string(*threads)});
   run.argv.emplace_back("--quiet");
   return run;

@@ -1,8 +1,14 @@
 #include "workflows/coarse/star_to_dpde.hpp"
+#include "fitting/particle_model_file.hpp"
+#include "fitting/toml_text.hpp"
 #include "md/error.hpp"
 #include "md/held_blobs.hpp"
+#include "workflows/provenance.hpp"
+#include "workflows/text_file.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
+#include <span>
 
 namespace mesobridge::workflows {
 namespace {
@@ -27,21 +33,26 @@ Call melt_call(char const* command, md::StarMeltSettings const& s, std::filesyst
   return call.add("--ranks", 1).add("-o", folder.string()); // two such runs at once lose nothing to waiting
 }
 
-std::int64_t frames_between(StarToDpdePlan const& plan) {
+std::int64_t frames_between(StarToDpdePlan const& plan, CoarseRun const& run) {
   double const every = plan.melt.dt * double(plan.melt.sample_every); // as often as the melt's
-  return std::max<std::int64_t>(1, std::llround(every / plan.run_dt));
+  return std::max<std::int64_t>(1, std::llround(every / run.dt));
 }
 
 /// A multiple of the steps between two frames.
-std::int64_t run_steps(StarToDpdePlan const& plan) {
-  auto const every = frames_between(plan);
-  return every * std::max<std::int64_t>(1, std::llround(plan.run_time / (plan.run_dt * double(every))));
+std::int64_t run_steps(StarToDpdePlan const& plan, CoarseRun const& run) {
+  auto const every = frames_between(plan, run);
+  return every * std::max<std::int64_t>(1, std::llround(plan.run_time / (run.dt * double(every))));
 }
 
 } // namespace
 
+std::vector<double> usual_time_steps() {
+  return {0.05, 0.1, 0.2};
+}
+
 StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) {
   StarToDpdePlan plan;
+  plan.runs = coarse_runs(usual_time_steps(), {});
   auto& melt = plan.melt;
   melt.molecules = 216, melt.dt = 0.004, melt.sample_every = 25, melt.seed = seed;
   melt.sampling_steps = 75000;
@@ -52,6 +63,22 @@ StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) 
     melt.molecules = 1000, melt.dt = 0.002, melt.sample_every = 50, melt.sampling_steps = 2000000,
     plan.configurations = 24, plan.held_steps = 40000, plan.run_time = 10000;
   return plan;
+}
+
+std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
+                                   std::vector<std::filesystem::path> const& other_models) {
+  require(!time_steps.empty(), "time steps of the coarse run", time_steps.size(), "must be one or several");
+  std::vector<CoarseRun> runs{{.dt = time_steps.front()}};
+  for (double const dt : std::span(time_steps).subspan(1))
+    runs.push_back({.name = fmt::format("run-dt-{}", dt), .dt = dt});
+  for (auto const& model : other_models) {
+    auto const text = read_text_file(model);
+    fitting::parse_particle_model(text, model.string());
+    runs.push_back({.name = fmt::format("run-{}-{}", model.stem().string(), sha256(text).substr(0, 8)),
+                    .dt = time_steps.front(),
+                    .model = std::filesystem::absolute(model)});
+  }
+  return runs;
 }
 
 void check(StarToDpdePlan const& plan) {
@@ -65,6 +92,12 @@ void check(StarToDpdePlan const& plan) {
           "must be at least 4 for standard errors");
   require(plan.run_time > 0 && std::isfinite(plan.run_time), "time of the coarse run", plan.run_time,
           "must be > 0");
+  std::set<std::string> names;
+  for (auto const& run : plan.runs) {
+    require(run.dt > 0 && run.dt <= plan.run_time, "time step of the coarse run", run.dt,
+            fmt::format("must be > 0 and at most its time, {:g}", plan.run_time));
+    require(names.insert(run.name).second, "run of the coarse fluid", run.name, "must be named once");
+  }
   double const side = std::cbrt(double(plan.melt.molecules));
   require(std::abs(side - std::round(side)) < 1e-9, "molecules", plan.melt.molecules,
           "must be a cube, such as 216 or 512: the coarse particles begin on a cubic lattice");
@@ -110,25 +143,29 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
   };
 }
 
-std::vector<Stage> run_stages(std::filesystem::path const& directory) {
-  auto const in = [&](char const* name) { return directory / name; };
-  auto const text = [&](char const* name) { return (directory / name).string(); };
-  return {
-      {"run of the particles",
-       {"run", text("scene.toml"), "--threads", "1", "-o", text("run")},
-       in("run/summary.json"),
-       in("run/scene.toml"),
-       {"--force"}},
-      {"motion of the particles",
-       {"cg", "transport", text("run"), "--beside", text("melt/transport.json")},
-       in("run/transport.json")},
-  };
+std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory) {
+  std::vector<Stage> stages;
+  for (auto const& run : plan.runs) {
+    auto const folder = directory / run.name;
+    auto const which = run.name == "run" ? std::string() : " (" + run.name + ")";
+    stages.push_back({"run of the particles" + which,
+                      {"run", (directory / run.scene()).string(), "--threads", "1", "-o", folder.string()},
+                      folder / "summary.json",
+                      folder / "scene.toml",
+                      {"--force"}});
+    stages.push_back(
+        {"motion of the particles" + which,
+         {"cg", "transport", folder.string(), "--beside", (directory / "melt/transport.json").string()},
+         folder / "transport.json"});
+  }
+  return stages;
 }
 
-std::string coarse_scene(StarToDpdePlan const& plan, double T) {
+std::string coarse_scene(StarToDpdePlan const& plan, CoarseRun const& run, double T) {
   auto const& s = plan.melt;
   double const mass = s.star.atoms(), spacing = std::cbrt(mass / s.rho);
   auto const side = std::llround(std::cbrt(double(s.molecules)));
+  auto const model = run.model.empty() ? "model/" + s.star.name() + "-melt.toml" : run.model.string();
   bool const small = s.star.atoms() < 12; // whose energies come near the end of S(U) by chance
   return fmt::format(R"(title = "{0} stars at rho = {1}, T = {2:.4g} as DPDE particles"
 units = "lj"
@@ -142,7 +179,7 @@ T = {2}
 
 [particles]
 N = {3}
-model = "model/{0}-melt.toml" # mass, S(U), potential, friction and conduction, measured
+model = {11} # mass, S(U), potential, friction and conduction, measured
 
 [box]
 lattice = [{4}, {4}, {4}]
@@ -163,9 +200,9 @@ seed = {9}
 every = {8}
 quantities = ["internal_energy_spread"]
 )",
-                     s.star.name(), s.rho, T, s.molecules, side, plan.run_dt,
-                     std::llround(20 * spacing / plan.run_dt), run_steps(plan), frames_between(plan), s.seed,
-                     small ? "ems" : "ssa");
+                     s.star.name(), s.rho, T, s.molecules, side, run.dt, std::llround(20 * spacing / run.dt),
+                     run_steps(plan, run), frames_between(plan, run), s.seed, small ? "ems" : "ssa",
+                     fitting::quoted(model));
 }
 
 } // namespace mesobridge::workflows
