@@ -10,10 +10,10 @@ struct BlobSeries {
   std::size_t molecules = 0;
   int atoms = 0;   ///< of a molecule
   double mass = 0; ///< of a molecule
-  std::vector<double> times;
-  std::vector<Box> boxes;
-  std::vector<Vec3> R, P;
-  std::vector<double> U, U_kin;
+  std::vector<double> times = {};
+  std::vector<Box> boxes = {};
+  std::vector<Vec3> R = {}, P = {};
+  std::vector<double> U = {}, U_kin = {};
 
   std::size_t frames() const { return times.size(); }
   double interval() const { return (times.back() - times.front()) / double(times.size() - 1); }

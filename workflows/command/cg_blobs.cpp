@@ -252,8 +252,6 @@ void declare(CLI::App& app, CgBlobsOptions& options) {
 
 } // namespace
 
-Command::Action cg_blobs_command(CLI::App& app) {
-  return with_options<CgBlobsOptions>(app, declare, blobs);
-}
+extern Declaration const cg_blobs_command = with_options<CgBlobsOptions, declare, blobs>;
 
 } // namespace mesobridge::workflows

@@ -26,7 +26,7 @@ PotentialSearch search_of(CgPotentialOptions const& options, CoarseStructure con
   auto search = options.search;
   auto& inversion = search.inversion;
   inversion.kT = structure.kT;
-  inversion.cutoff = options.cutoff.value_or(usual_cutoff(structure.g));
+  inversion.cutoff = options.cutoff.value_or(usual_cutoff(structure.g, options.pressure));
   inversion.knots = std::max(inversion.knots, 2 * structure.g.width);
   if (options.method == "hnc")
     inversion.density = structure.density;
@@ -76,7 +76,8 @@ Result potential(CgPotentialOptions const& options, Context const& context) {
 void declare(CLI::App& app, CgPotentialOptions& options) {
   auto& search = options.search;
   add_blob_file(app, options.input);
-  app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
+  app.add_option("--cutoff", options.cutoff,
+                 "Of the potential (default: where g(r) is 1 within 0.02, 1.3 times that with --pressure)");
   app.add_option("--bin-width", options.width, "Of g(r) and the potential's rows (default 0.2)");
   app.add_option("--method", options.method,
                  "hnc, which counts neighbours' neighbours, or boltzmann (default hnc)")
@@ -91,8 +92,6 @@ void declare(CLI::App& app, CgPotentialOptions& options) {
 
 } // namespace
 
-Command::Action cg_potential_command(CLI::App& app) {
-  return with_options<CgPotentialOptions>(app, declare, potential);
-}
+extern Declaration const cg_potential_command = with_options<CgPotentialOptions, declare, potential>;
 
 } // namespace mesobridge::workflows

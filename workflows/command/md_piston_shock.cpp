@@ -245,8 +245,6 @@ void declare(CLI::App& app, MdPistonShockOptions& options) {
 
 } // namespace
 
-Command::Action md_piston_shock_command(CLI::App& app) {
-  return with_options<MdPistonShockOptions>(app, declare, piston_shock);
-}
+extern Declaration const md_piston_shock_command = with_options<MdPistonShockOptions, declare, piston_shock>;
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,5 @@
 #include "fitting/particle_model_file.hpp"
+#include "workflows/coarse/melts_study.hpp"
 #include "workflows/coarse/star_to_dpde_report.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/folder_lock.hpp"
@@ -11,8 +12,13 @@ namespace mesobridge::workflows {
 namespace {
 
 struct WorkflowStarToDpdeOptions {
-  std::string preset = "quick", star = "6-3";
-  std::optional<double> rho, T, cutoff, run_time;
+  std::string preset = "quick";
+  std::vector<std::string> stars;
+  std::vector<double> densities;
+  bool transfer = false;
+  std::optional<double> T, cutoff, run_time;
+  std::vector<double> run_dt;
+  std::vector<std::string> other_models;
   std::optional<int> molecules, configurations;
   std::optional<std::int64_t> sampling_steps, sample_every, held_steps;
 };
@@ -20,8 +26,10 @@ struct WorkflowStarToDpdeOptions {
 StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t seed) {
   auto plan = star_to_dpde_plan(options.preset, seed);
   auto& melt = plan.melt;
-  melt.star = md::star_of_name(options.star);
-  melt.rho = options.rho.value_or(melt.rho);
+  if (!options.stars.empty())
+    melt.star = md::star_of_name(options.stars.front());
+  if (!options.densities.empty())
+    melt.rho = options.densities.front();
   melt.T = options.T.value_or(melt.T);
   melt.molecules = options.molecules.value_or(melt.molecules);
   melt.sample_every = options.sample_every.value_or(melt.sample_every);
@@ -30,6 +38,9 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
   plan.held_steps = options.held_steps.value_or(plan.held_steps);
   plan.run_time = options.run_time.value_or(plan.run_time);
   plan.cutoff = options.cutoff;
+  if (!options.run_dt.empty() || !options.other_models.empty())
+    plan.runs = coarse_runs(options.run_dt.empty() ? usual_time_steps() : options.run_dt,
+                            {options.other_models.begin(), options.other_models.end()});
   check(plan); // before anything is run
   return plan;
 }
@@ -41,30 +52,86 @@ double temperature_of(std::filesystem::path const& model) {
   return state->T;
 }
 
-Result star_to_dpde(WorkflowStarToDpdeOptions const& options, Context const& context) {
+Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path const& directory,
+                Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
   auto const plan = plan_of(options, seed);
-  auto const directory = context.output_directory("out/star-to-dpde");
-  FolderLock const lock(directory, context.command_line());
   auto stages = model_stages(plan, directory);
   make_stages(stages, directory / "stages.json", context);
-  auto const scene = coarse_scene(plan, temperature_of(stages.back().product));
-  write_text_file(directory / "scene.toml", scene);
-  auto const later = run_stages(directory);
+  double const T = temperature_of(stages.back().product);
+  for (auto const& run : plan.runs)
+    write_text_file(directory / run.scene(), coarse_scene(plan, run, T));
+  auto const later = run_stages(plan, directory);
   stages.insert(stages.end(), later.begin(), later.end());
   make_stages(stages, directory / "stages.json", context);
   auto const kept = read_kept(plan, directory, context);
   auto report = star_to_dpde_report(plan, directory, kept);
-  report.provenance = {context.command_line(), seed, scene, {}};
+  report.provenance = {context.command_line(), seed, coarse_scene(plan, plan.runs.front(), T), {}};
   auto summary = star_to_dpde_summary(plan, kept);
   summary["preset"] = options.preset;
   return with_report(directory, std::move(summary), report.html());
 }
 
+/// What each chain of several is told besides its melt.
+std::vector<std::string> further_words(WorkflowStarToDpdeOptions const& options, std::uint64_t seed) {
+  std::vector<std::string> words{"--preset", options.preset, "--seed", std::to_string(seed)};
+  auto const add = [&](char const* option, auto const& value) {
+    if (value)
+      words.insert(words.end(), {option, fmt::format("{}", *value)});
+  };
+  add("--T", options.T), add("--cutoff", options.cutoff), add("--run-time", options.run_time);
+  add("--molecules", options.molecules), add("--configurations", options.configurations);
+  add("--sampling-steps", options.sampling_steps), add("--sample-every", options.sample_every);
+  add("--held-steps", options.held_steps);
+  for (double const dt : options.run_dt)
+    words.insert(words.end(), {"--run-dt", fmt::format("{}", dt)});
+  for (auto const& model : options.other_models)
+    words.insert(words.end(), {"--other-model", model});
+  return words;
+}
+
+Result several_melts(WorkflowStarToDpdeOptions const& options, std::filesystem::path const& directory,
+                     Context const& context) {
+  std::uint64_t const seed = context.options.seed.value_or(1);
+  MeltsStudy study{.stars = options.stars,
+                   .densities = options.densities,
+                   .words = further_words(options, seed),
+                   .transfer = options.transfer};
+  auto const usual = star_to_dpde_plan(options.preset, seed).melt;
+  if (study.stars.empty())
+    study.stars = {usual.star.name()};
+  if (study.densities.empty())
+    study.densities = {usual.rho};
+  for (auto const& star : study.stars)
+    for (double const rho : study.densities) { // before anything is run
+      auto one = options;
+      one.stars = {star}, one.densities = {rho};
+      plan_of(one, seed);
+    }
+  make_stages(study_stages(study, directory), directory / "melts.json", context);
+  auto summary = study_summary(study, directory);
+  auto report = study_report(study, summary);
+  report.provenance = {context.command_line(), seed, "", {}};
+  summary["preset"] = options.preset;
+  return with_report(directory, std::move(summary), report.html());
+}
+
+Result star_to_dpde(WorkflowStarToDpdeOptions const& options, Context const& context) {
+  bool const several = options.stars.size() > 1 || options.densities.size() > 1;
+  require(several || !options.transfer, "--transfer", "", "needs several --rho");
+  auto const directory = context.output_directory("out/star-to-dpde");
+  FolderLock const lock(directory, context.command_line());
+  return several ? several_melts(options, directory, context) : one_melt(options, directory, context);
+}
+
 void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
   add_preset(app, options.preset, "quick (minutes), standard (an hour) or paper")->capture_default_str();
-  app.add_option("--star", options.star, "ARMS-BEADS (default 6-3)")->type_name("N-N");
-  app.add_option("--rho", options.rho, "Beads per sigma^3 (default 0.3)");
+  app.add_option("--star", options.stars,
+                 "ARMS-BEADS; of several a chain each, and a report of all (default 6-3)")
+      ->type_name("N-N");
+  app.add_option("--rho", options.densities, "Beads per sigma^3, one or several (default 0.3)");
+  app.add_flag("--transfer", options.transfer,
+               "Run the model of the first of several densities at the others, too");
   app.add_option("--T", options.T, "Temperature of the thermostat (default 1)");
   app.add_option("--molecules", options.molecules, "Stars, and coarse particles; a cube such as 216");
   app.add_option("--sampling-steps", options.sampling_steps, "Steps of the melt at constant energy");
@@ -74,13 +141,20 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
   app.add_option("--configurations", options.configurations, "Of held centres");
   app.add_option("--held-steps", options.held_steps, "Steps that each of them is held");
   app.add_option("--run-time", options.run_time, "Of the coarse fluid (default 1000)");
-  app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
+  app.add_option("--run-dt", options.run_dt,
+                 "Time steps of the coarse fluid, a run of each; what is kept is that of the first "
+                 "(default 0.05 0.1 0.2)");
+  app.add_option(
+         "--other-model", options.other_models,
+         "Models of other melts that are run beside the one found here: what a model is worth elsewhere")
+      ->type_name("FILE");
+  app.add_option("--cutoff", options.cutoff,
+                 "Of the potential (default: 1.3 times where g(r) is 1 within 0.02)");
 }
 
 } // namespace
 
-Command::Action workflow_star_to_dpde_command(CLI::App& app) {
-  return with_options<WorkflowStarToDpdeOptions>(app, declare, star_to_dpde);
-}
+extern Declaration const workflow_star_to_dpde_command =
+    with_options<WorkflowStarToDpdeOptions, declare, star_to_dpde>;
 
 } // namespace mesobridge::workflows

@@ -144,7 +144,7 @@ Plot in_the_frame(std::string const& quantity, std::string const& key, ShockOfRu
             .title = quantity + " in the frame of the front",
             .x = {.label = "distance from the front" + x.label.substr(1)},
             .panels = {Panel{}}};
-  Series series{.label = "", .x = scaled(shock.depth, x.factor), .y = {}, .y_error = {}};
+  Series series{.label = "", .x = scaled(shock.depth, x.factor)};
   for (auto const& value : values)
     series.y.push_back(value.mean * y.factor), series.y_error.push_back(value.se * y.factor);
   plot.panels[0].series = {std::move(series)};
@@ -156,9 +156,7 @@ Plot in_the_frame(std::string const& quantity, std::string const& key, ShockOfRu
 
 Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
   auto const x = axis_of("time" + units.time_key), y = axis_of("front" + units.length_key);
-  Plot plot{
-      .name = "shockfront", .title = "The way of the front", .x = {.label = x.label}, .panels = {Panel{}}};
-  plot.panels[0].y.label = y.label;
+  auto plot = one_panel("shockfront", "The way of the front", x.label, y.label);
   plot.panels[0].series = {{.label = "",
                             .x = scaled(shock.measured.times, x.factor),
                             .y = scaled(shock.measured.fronts, y.factor),
@@ -172,7 +170,6 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
   bool const si = !units.length_key.empty();
   Table table{
       .header = comparison_header(),
-      .rows = {},
       .caption =
           "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
           "and Hugoniot with the same equation of state. The front that all else refers to is where the "

@@ -48,7 +48,6 @@ cg::BlobSeries series_of(BlobData data) {
                         .boxes = std::move(data.boxes),
                         .R = std::move(data.R),
                         .P = std::move(data.P),
-                        .U = {},
                         .U_kin = std::move(data.U_kin)};
   for (std::size_t k = 0; k < series.U_kin.size(); ++k)
     series.U.push_back(series.U_kin[k] + data.U_pot[k]);

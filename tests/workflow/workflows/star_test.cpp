@@ -1,3 +1,4 @@
+#include "chain_mapping.hpp"
 #include "program.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/star/blob_file.hpp"
@@ -158,28 +159,7 @@ ITEM: ATOMS id mol type x y z vx vy vz
 2 1 1 0.9 1.0 5.0 -1 0 0
 )";
 
-char const* const dumbbell_mapping = R"(format = "mesobridge mapping 1"
-name = "dumbbell"
-atoms = 2
-masses = [ 1.0, 1.0 ]
-
-[bonds]
-count = 1
-a = [ 1 ]
-b = [ 2 ]
-k = [ 20.0 ]
-l = [ 1.2 ]
-
-[pairs]
-count = 1
-type_a = [ 1 ]
-type_b = [ 1 ]
-epsilon = [ 1.0 ]
-sigma = [ 1.0 ]
-cutoff = [ 1.122462048309373 ]
-shifted = "yes"
-bonded = "yes"
-)";
+std::string const dumbbell_mapping = tests::chain_mapping("dumbbell", 2, 20, 1.2);
 
 TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
   ScratchDirectory const scratch;
@@ -265,7 +245,7 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
   write_text_file(scratch / "a.lammpstrj", dumbbells);
   std::string three = dumbbell_mapping;
   three.replace(three.find("atoms = 2"), 9, "atoms = 3");
-  three.replace(three.find("[ 1.0, 1.0 ]"), 12, "[ 1.0, 1.0, 1.0 ]");
+  three.replace(three.find("[1.0, 1.0]"), 10, "[1.0, 1.0, 1.0]");
   write_text_file(scratch / "three.toml", three);
   std::string unknown = dumbbell_mapping;
   write_text_file(scratch / "unknown.toml", unknown + "colour = \"red\"\n");
