@@ -14,6 +14,7 @@ namespace mesobridge::cg {
 namespace {
 
 constexpr std::size_t least_blocks = 4, most_blocks = 16;
+constexpr double most_coefficients = 500;
 constexpr double least_condition = 1e-10; // of the normal equations, scaled; reciprocal
 
 using Blocks = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -145,12 +146,21 @@ class Gatherer {
   std::vector<Vec3> design_; ///< of each molecule, its unit vectors to others times each function
 };
 
-/// What makes knots too close: fewer pairs than coefficients, or pairs that do not tell them apart.
-void require_told(bool told, Layout const& layout, double knots) {
+/// Refuses knots that are too close for what the pairs tell.
+void require_told(bool told, double knots, double coefficients) {
   require(told, "knots", knots,
-          fmt::format("are too close: the pairs do not tell the {} coefficients of the force; "
+          fmt::format("are too close: the pairs do not tell the {:.0f} coefficients of the force; "
                       "take fewer knots, or more frames",
-                      layout.n));
+                      coefficients));
+}
+
+/// Before any work: fewer pairs than coefficients, or more of these than any force needs.
+void check_knots(double first, std::vector<Sums> const& counts, ForceMatchingSettings const& settings) {
+  double pairs = 0;
+  for (auto const& count : counts)
+    pairs += std::accumulate(count.begin(), count.end(), 0.0);
+  double const coefficients = (settings.cutoff - first) / settings.knots + 2;
+  require_told(coefficients <= std::min(pairs, most_coefficients), settings.knots, coefficients);
 }
 
 /// Solves the normal equations.
@@ -170,7 +180,7 @@ std::vector<double> coefficients(Sums const& sums, Layout const& layout, double 
   if (status == GSL_SUCCESS)
     status = gsl_linalg_cholesky_svx2(&matrix.matrix, &scales.vector, &solution.vector);
   gsl_set_error_handler(quiet);
-  require_told(status == GSL_SUCCESS && condition > least_condition, layout, knots);
+  require_told(status == GSL_SUCCESS && condition > least_condition, knots, double(layout.n));
   return a;
 }
 
@@ -243,13 +253,10 @@ MatchedForce match_forces(MoleculeForces const& forces, ForceMatchingSettings co
   std::size_t const bins = bins_within(settings);
   auto const blocks = time_blocks(forces.instants(), std::min(most_blocks, forces.instants()));
   auto const counts = count_pairs(forces, blocks, settings.width, bins);
-  PairForceBasis const basis(first_distance(forces, counts, settings), double(bins) * settings.width,
-                             settings.knots);
+  double const first = first_distance(forces, counts, settings);
+  check_knots(first, counts, settings);
+  PairForceBasis const basis(first, double(bins) * settings.width, settings.knots);
   Layout const layout{basis.size(), bins};
-  double pairs = 0;
-  for (auto const& count : counts)
-    pairs += std::accumulate(count.begin(), count.end(), 0.0);
-  require_told(double(layout.n) <= pairs, layout, settings.knots); // before any work
   Gatherer gatherer(forces, basis, layout, settings.width);
   std::vector<Sums> sums;
   for (auto const& [first, last] : blocks) {

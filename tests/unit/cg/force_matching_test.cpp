@@ -1,6 +1,7 @@
 #include "cg/force_matching.hpp"
 #include "cg/pair_force_basis.hpp"
 #include "error_text.hpp"
+#include "pair_monte_carlo.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -10,85 +11,21 @@
 namespace mesobridge::cg {
 namespace {
 
-/// Energy and force of a pair at a distance.
-struct PairLaw {
-  double cutoff;
-  std::function<double(double)> u, f;
-};
-
-PairLaw soft(double a) {
-  return {1, [=](double r) { return 0.5 * a * (1 - r) * (1 - r); }, [=](double r) { return a * (1 - r); }};
-}
-
-/// Lennard-Jones's with the force shifted to 0 at 2.5.
-PairLaw lennard_jones() {
-  constexpr double end = 2.5;
-  auto const f = [](double r) { return 24 * (2 * std::pow(r, -13) - std::pow(r, -7)); };
-  auto const u = [](double r) { return 4 * (std::pow(r, -12) - std::pow(r, -6)); };
-  double const f_end = f(end), u_end = u(end);
-  return {end, [=](double r) { return u(r) - u_end + (r - end) * f_end; },
-          [=](double r) { return f(r) - f_end; }};
-}
-
-/// Positions of particles at k_BT = 1 by Metropolis moves, all pairs looked at.
-class MonteCarlo {
- public:
-  MonteCarlo(PairLaw law, int side, double density, double longest, std::uint64_t seed)
-      : law_(std::move(law)), box_{Vec3{1, 1, 1} * (side / std::cbrt(density))}, longest_(longest),
-        bits_(seed) {
-    double const spacing = box_.edge.x / side;
-    for (int k = 0; k < side * side * side; ++k)
-      q_.push_back(spacing * Vec3{k % side + 0.5, k / side % side + 0.5, k / side / side + 0.5});
-  }
-
-  void sweep() {
-    for (std::size_t k = 0; k < q_.size(); ++k) {
-      std::size_t const i = bits_() % q_.size();
-      auto const step = [&] { return longest_ * (2 * uniform_(bits_) - 1); };
-      Vec3 const there = box_.wrap(q_[i] + Vec3{step(), step(), step()});
-      if (uniform_(bits_) < std::exp(energy(i, q_[i]) - energy(i, there)))
-        q_[i] = there;
-    }
-  }
-  Box const& box() const { return box_; }
-  std::vector<Vec3> const& positions() const { return q_; }
-
- private:
-  double energy(std::size_t i, Vec3 const& q) const {
-    double sum = 0;
-    for (std::size_t j = 0; j < q_.size(); ++j)
-      if (double const r2 = norm2(box_.minimum_image(q - q_[j])); j != i && r2 < law_.cutoff * law_.cutoff)
-        sum += law_.u(std::sqrt(r2));
-    return sum;
-  }
-
-  PairLaw law_;
-  Box box_;
-  double longest_;
-  std::mt19937_64 bits_;
-  std::uniform_real_distribution<double> uniform_;
-  std::vector<Vec3> q_;
-};
+using tests::lennard_jones;
+using tests::PairLaw;
+using tests::PairMonteCarlo;
+using tests::soft;
 
 /// Adds the forces that the law gives all particles, and noise of that standard deviation.
 void add_forces(MoleculeForces& all, PairLaw const& law, double noise, std::mt19937_64& bits) {
-  std::normal_distribution<double> normal(0, noise > 0 ? noise : 1);
-  for (std::size_t k = 0; k < all.instants(); ++k) {
-    auto const R = std::span(all.R).subspan(k * all.molecules, all.molecules);
-    for (auto const& a : R) {
-      Vec3 F;
-      for (auto const& b : R)
-        if (Vec3 const apart = all.boxes[k].minimum_image(a - b);
-            norm2(apart) > 0 && norm2(apart) < law.cutoff * law.cutoff)
-          F += law.f(norm(apart)) / norm(apart) * apart;
-      if (noise > 0)
-        F += Vec3{normal(bits), normal(bits), normal(bits)};
-      all.F.push_back(F);
-    }
-  }
+  std::normal_distribution<double> normal(0, 1);
+  for (std::size_t k = 0; k < all.instants(); ++k)
+    for (auto const& F :
+         tests::forces_of(law, std::span(all.R).subspan(k * all.molecules, all.molecules), all.boxes[k]))
+      all.F.push_back(F + noise * Vec3{normal(bits), normal(bits), normal(bits)});
 }
 
-MoleculeForces sampled(MonteCarlo& fluid, int settle, int instants, int sweeps) {
+MoleculeForces sampled(PairMonteCarlo& fluid, int settle, int instants, int sweeps) {
   MoleculeForces all{.molecules = fluid.positions().size(), .boxes = {}, .R = {}, .F = {}};
   for (int k = 0; k < settle; ++k)
     fluid.sweep();
@@ -156,7 +93,7 @@ TEST(ForceMatching, GoesOnIntoTheCore) {
 TEST(ForceMatching, FindsTheSoftForceThatWasPutIn) {
   std::mt19937_64 bits(5);
   auto const law = soft(25);
-  MonteCarlo fluid(law, 5, 3, 0.3, 6);
+  PairMonteCarlo fluid(law, 5, 3, 0.3, 6);
   auto forces = sampled(fluid, 200, 320, 3);
   add_forces(forces, law, 5, bits);
   auto const found = match_forces(forces, {.cutoff = 1, .width = 0.05, .knots = 0.1});
@@ -175,7 +112,7 @@ TEST(ForceMatching, FindsTheSoftForceThatWasPutIn) {
 TEST(ForceMatching, MeanForcesAreTheSlopeOfTheStructure) {
   std::mt19937_64 bits(5);
   auto const law = soft(25);
-  MonteCarlo fluid(law, 5, 3, 0.3, 7);
+  PairMonteCarlo fluid(law, 5, 3, 0.3, 7);
   auto forces = sampled(fluid, 200, 320, 3);
   add_forces(forces, law, 0, bits);
   auto const found = match_forces(forces, {.cutoff = 1, .width = 0.05, .knots = 0.1});
@@ -195,7 +132,7 @@ TEST(ForceMatching, MeanForcesAreTheSlopeOfTheStructure) {
 TEST(ForceMatching, FindsTheLennardJonesForceThatWasPutIn) {
   std::mt19937_64 bits(8);
   auto const law = lennard_jones();
-  MonteCarlo fluid(law, 6, 0.6, 0.15, 9);
+  PairMonteCarlo fluid(law, 6, 0.6, 0.15, 9);
   auto forces = sampled(fluid, 300, 160, 4);
   add_forces(forces, law, 1, bits);
   auto const found = match_forces(forces, {.cutoff = 2.5, .width = 0.05, .knots = 0.05});
