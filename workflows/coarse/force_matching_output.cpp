@@ -127,6 +127,11 @@ std::vector<std::string> force_match_warnings(ForceMatch const& match) {
         fmt::format("Standard errors are {:.2g} times larger with blocks twice as long: the run "
                     "is too short for them, and they are too small.",
                     match.found.longer_blocks));
+  if (auto const& core = match.found.f.front(); core.mean < 0)
+    warnings.push_back(
+        fmt::format("The force attracts where the nearest pairs are, and below: {} in the first "
+                    "bin. Particles may fall into each other.",
+                    with_error_text(core)));
   return warnings;
 }
 
