@@ -91,13 +91,13 @@ double first_distance(MoleculeForces const& forces, std::vector<Sums> const& cou
   return double(first) * settings.width;
 }
 
-/// Where the sums of a block stand: the normal equations A a = b of Eq. (C47), then the square of all forces,
-/// pairs of each bin, and the forces along their lines.
+/// Where the sums of a block stand: the normal equations A a = b of Eq. (C47), then the square of all forces
+/// and the number of their components, pairs of each bin, and the forces along their lines.
 struct Layout {
   std::size_t n, bins;
   std::size_t b() const { return n * n; }
   std::size_t square() const { return n * n + n; }
-  std::size_t pairs() const { return square() + 1; }
+  std::size_t pairs() const { return square() + 2; }
   std::size_t along() const { return pairs() + bins; }
   std::size_t size() const { return along() + bins; }
 };
@@ -136,7 +136,7 @@ class Gatherer {
         sums[j * n + k] += dot(row[j], row[k]);
       sums[layout_.b() + j] += dot(row[j], F);
     }
-    sums[layout_.square()] += norm2(F);
+    sums[layout_.square()] += norm2(F), sums[layout_.square() + 1] += 3;
   }
 
   MoleculeForces const& forces_;
@@ -184,7 +184,8 @@ std::vector<double> coefficients(Sums const& sums, Layout const& layout, double 
   return a;
 }
 
-/// All numbers of the result in a row: f, u and the mean force of each bin, and what is explained.
+/// All numbers of the result in a row: f, u and the mean force of each bin, their square and what is
+/// explained.
 class Statistics {
  public:
   Statistics(PairForceBasis const& basis, Layout const& layout, double width, double knots)
@@ -208,7 +209,8 @@ class Statistics {
     }
     double const explained =
         std::inner_product(a.begin(), a.end(), sums.begin() + std::ptrdiff_t(layout_.b()), 0.0);
-    result.push_back(explained / sums[layout_.square()]);
+    double const square = sums[layout_.square()];
+    result.push_back(square / sums[layout_.square() + 1]), result.push_back(explained / square);
     return result;
   }
 
@@ -274,6 +276,7 @@ MatchedForce match_forces(MoleculeForces const& forces, ForceMatchingSettings co
   MatchedForce found{.width = settings.width, .cutoff = basis.cutoff(), .first = basis.first()};
   found.unknowns = layout.n, found.blocks = blocks.size();
   found.f = part(0), found.u = part(bins), found.mean_force = part(2 * bins), found.explained = row.back();
+  found.mean_square = row[3 * bins];
   auto const whole = without_each(sums).back();
   found.pairs.assign(whole.begin() + std::ptrdiff_t(layout.pairs()),
                      whole.begin() + std::ptrdiff_t(layout.along()));

@@ -33,7 +33,8 @@ struct MatchedForce {
   std::vector<Estimate> f;          ///< force in the middles of the bins, > 0 where it pushes apart
   std::vector<Estimate> u;          ///< its potential, 0 at the cut-off
   std::vector<Estimate> mean_force; ///< along the line of two, neighbours included; 0 +- 0 without pairs
-  Estimate explained;               ///< share of the molecules' mean square force that pairs explain
+  Estimate mean_square;             ///< of a component of the force on a molecule
+  Estimate explained;               ///< share of it that pairs explain
   /// Standard errors with blocks twice as long, over those given, root mean square over the bins: about 1
   /// where blocks are long enough. 1 for independent instants and fewer than 8 blocks.
   double longer_blocks = 1;

@@ -105,6 +105,7 @@ Json force_match_json(ForceMatch const& match) {
             {"blocks", found.blocks},
             {"longer_blocks", found.longer_blocks},
             {"g_difference", trial.difference}};
+  put(json, "mean_square_force", found.mean_square);
   put(json, "explained", found.explained);
   put(json, "P", trial.P);
   if (data.structure.P)

@@ -66,6 +66,10 @@ TEST(ForceMatching, FindsAForceOfItsOwnSplines) {
   ASSERT_EQ(found.first, 0);
   ASSERT_EQ(found.f.size(), 12u);
   EXPECT_NEAR(found.explained.mean, 1, 1e-12);
+  double squares = 0;
+  for (auto const& F : forces.F)
+    squares += norm2(F) / double(3 * forces.F.size());
+  EXPECT_NEAR(found.mean_square.mean, squares, 1e-9 * squares);
   double below = 0; // the potential by steps of its own
   constexpr int steps = 2000;
   for (std::size_t k = 12; k-- > 0;) {
