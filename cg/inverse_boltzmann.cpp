@@ -1,8 +1,8 @@
 #include "cg/inverse_boltzmann.hpp"
+#include "cg/cubic_splines.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <gsl/gsl_bspline.h>
 #include <gsl/gsl_multifit.h>
 #include <memory>
 #include <numbers>
@@ -27,17 +27,16 @@ std::vector<double> smoothed(std::vector<double> const& y, std::vector<double> c
   std::size_t const n = y.size(), most = n / 2 + 1,
                     breaks = std::clamp<std::size_t>(std::size_t(std::lround(double(n) * width / knots)) + 1,
                                                      2, most);
-  Owned<gsl_bspline_workspace, gsl_bspline_free> const spline(gsl_bspline_alloc(4, breaks));
-  gsl_bspline_knots_uniform(0, double(n), spline.get());
-  std::size_t const order = gsl_bspline_ncoeffs(spline.get());
+  CubicSplines const spline(0, double(n), breaks - 1);
+  std::size_t const order = spline.size();
   Owned<gsl_matrix, gsl_matrix_free> const X(gsl_matrix_alloc(n, order)),
       covariance(gsl_matrix_alloc(order, order));
   Owned<gsl_vector, gsl_vector_free> const values(gsl_vector_alloc(n)), weights(gsl_vector_alloc(n)),
-      coefficients(gsl_vector_alloc(order)), basis(gsl_vector_alloc(order));
+      coefficients(gsl_vector_alloc(order));
   for (std::size_t k = 0; k < n; ++k) {
-    gsl_bspline_eval(double(k) + 0.5, basis.get(), spline.get());
+    auto const basis = spline(double(k) + 0.5);
     for (std::size_t j = 0; j < order; ++j)
-      gsl_matrix_set(X.get(), k, j, gsl_vector_get(basis.get(), j));
+      gsl_matrix_set(X.get(), k, j, basis[j]);
     gsl_vector_set(values.get(), k, y[k]), gsl_vector_set(weights.get(), k, w[k]);
   }
   Owned<gsl_multifit_linear_workspace, gsl_multifit_linear_free> const fit(

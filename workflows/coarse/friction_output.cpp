@@ -1,4 +1,5 @@
 #include "workflows/coarse/friction_output.hpp"
+#include "workflows/coarse/plot_parts.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/summary.hpp"
@@ -7,14 +8,6 @@
 
 namespace mesobridge::workflows {
 namespace {
-
-Series estimates(std::string label, std::vector<double> const& x, std::vector<cg::Estimate> const& y,
-                 SeriesStyle style, int colour) {
-  Series series{.label = std::move(label), .x = x, .style = style, .colour = colour};
-  for (auto const& at : y)
-    series.y.push_back(at.mean), series.y_error.push_back(at.se);
-  return series;
-}
 
 Figure integrals_figure(cg::PairFriction const& found) {
   auto self = one_panel("self", "Friction of a molecule", "t", "(1/k_BT) ∫_0^t <F F>", {0});

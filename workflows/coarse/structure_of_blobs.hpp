@@ -10,6 +10,10 @@ namespace mesobridge::workflows {
 /// for isolated molecules, or a box of another size in each frame.
 CoarseStructure structure_of(BlobData const& data, double width);
 
+/// The same of molecules whose centres stand in R, number frame * molecules + molecule, without a pressure.
+CoarseStructure structure_of(BlobFileHead const& head, std::vector<Box> const& boxes,
+                             std::vector<Vec3> const& R, double kT, double width);
+
 /// k_B T, the motion of all together taken out: of all atoms of our own melts, and of the centres of mass of
 /// molecules of any origin, whose atoms need not move freely. Throws InputError where they are at rest.
 double kT_of(BlobData const& data);

@@ -114,7 +114,7 @@ std::vector<Command> commands() {
        .example = "mesobridge cg transport out/melt/blobs.h5",
        .declare = cg_transport_command},
       {.name = "cg potential",
-       .summary = "A pair potential that gives particles the structure of molecules' centres of mass",
+       .summary = "A pair potential from the structure of molecules' centres of mass, or the forces on them",
        .example = "mesobridge cg potential out/melt/blobs.h5",
        .declare = cg_potential_command},
       {.name = "cg friction",

@@ -82,4 +82,7 @@ std::string units_text(BlobFileHead const& head);
 /// that cannot be.
 BlobData read_blobs(std::filesystem::path const& file);
 
+/// The net forces on the blobs of such a file. Throws InputError if it has none.
+std::vector<Vec3> read_blob_forces(std::filesystem::path const& file);
+
 } // namespace mesobridge::workflows
