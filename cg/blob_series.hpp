@@ -8,8 +8,9 @@ namespace mesobridge::cg {
 /// The blobs of a run at equal intervals: number frame * molecules + molecule. Reduced units, k_B = 1.
 struct BlobSeries {
   std::size_t molecules = 0;
-  int atoms = 0;   ///< of a molecule
-  double mass = 0; ///< of a molecule
+  int atoms = 0;           ///< of a molecule
+  double mass = 0;         ///< of a molecule
+  bool free_atoms = false; ///< no constraint holds them: the motion of all tells the temperature
   std::vector<double> times = {};
   std::vector<Box> boxes = {};
   std::vector<Vec3> R = {}, P = {};

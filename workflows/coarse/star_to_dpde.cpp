@@ -81,6 +81,11 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
   return runs;
 }
 
+std::int64_t held_steps_at(double rho, std::int64_t steps) {
+  auto const every = md::HeldBlobsSettings().sample_every;
+  return rho >= 0.3 || rho <= 0 ? steps : every * std::llround(double(steps) * 0.3 / rho / double(every));
+}
+
 void check(StarToDpdePlan const& plan) {
   md::check(plan.melt);
   md::HeldBlobsSettings held;

@@ -35,6 +35,10 @@ std::vector<double> usual_time_steps();
 std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
                                    std::vector<std::filesystem::path> const& other_models);
 
+/// So many steps of held centres at 0.3 beads per sigma^3 as are wanted at another density: the thinner a
+/// melt, the later its velocities change, which is when friction is read.
+std::int64_t held_steps_at(double rho, std::int64_t steps);
+
 /// Throws InputError that names what makes no sense.
 void check(StarToDpdePlan const& plan);
 

@@ -198,7 +198,6 @@ class Conversion {
                             .mass = mapping_.model.mass(),
                             .rho = double(frame.q.size()) / frame.box.volume(),
                             .T = 0,
-                            .set = {},
                             .units = mapping_.units.name,
                             .walls = walls_,
                             .time_unit = clock_.counts_steps() ? "steps" : ""};

@@ -35,7 +35,7 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
   melt.sample_every = options.sample_every.value_or(melt.sample_every);
   melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
   plan.configurations = options.configurations.value_or(plan.configurations);
-  plan.held_steps = options.held_steps.value_or(plan.held_steps);
+  plan.held_steps = options.held_steps.value_or(held_steps_at(melt.rho, plan.held_steps));
   plan.run_time = options.run_time.value_or(plan.run_time);
   plan.cutoff = options.cutoff;
   if (!options.run_dt.empty() || !options.other_models.empty())
@@ -139,7 +139,8 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
       "--sample-every", options.sample_every,
       "Steps between its frames, as long as a tenth of the decay of internal energies at most (default 25)");
   app.add_option("--configurations", options.configurations, "Of held centres");
-  app.add_option("--held-steps", options.held_steps, "Steps that each of them is held");
+  app.add_option("--held-steps", options.held_steps,
+                 "Steps that each of them is held (default: 10000, more in melts below 0.3)");
   app.add_option("--run-time", options.run_time, "Of the coarse fluid (default 1000)");
   app.add_option("--run-dt", options.run_dt,
                  "Time steps of the coarse fluid, a run of each; what is kept is that of the first "

@@ -44,6 +44,7 @@ cg::BlobSeries series_of(BlobData data) {
   cg::BlobSeries series{.molecules = std::size_t(data.head.molecules),
                         .atoms = data.head.atoms,
                         .mass = data.head.mass,
+                        .free_atoms = data.head.T > 0, // a melt of our own
                         .times = std::move(data.times),
                         .boxes = std::move(data.boxes),
                         .R = std::move(data.R),

@@ -16,8 +16,7 @@ BlobFileHead head_of(md::StarMeltSettings const& settings, double mass) {
           .atoms = settings.star.atoms(),
           .mass = mass,
           .rho = settings.rho,
-          .T = settings.T,
-          .set = {}};
+          .T = settings.T};
 }
 
 bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
@@ -50,13 +49,7 @@ void sample_melt(MeltJob const& job, Context const& context) {
 }
 
 std::vector<std::string> words_of(MeltJob const& job) {
-  auto call = words_of_stars("star-melt", job);
-  auto const& s = job.settings;
-  call.add("--rho", s.rho);
-  call.add("--T", s.T);
-  call.add("--friction", s.friction);
-  call.add("--squeeze-steps", s.squeeze_steps);
-  return call.words;
+  return words_of_melt("star-melt", job).words;
 }
 
 void sample_melt_on_ranks(MeltJob const& job, Context const& context) {

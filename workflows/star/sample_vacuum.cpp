@@ -24,8 +24,7 @@ BlobFileHead head_of(md::StarVacuumSettings const& settings, double mass) {
                     .atoms = settings.star.atoms(),
                     .mass = mass,
                     .rho = 0,
-                    .T = 0,
-                    .set = {}};
+                    .T = 0};
   for (int m = 0; m < settings.molecules; ++m)
     head.set.push_back(settings.level(m));
   return head;

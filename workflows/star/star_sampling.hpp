@@ -73,4 +73,15 @@ CallWords words_of_stars(char const* command, Job const& job) {
   return call;
 }
 
+/// The same of melts.
+template <class Job>
+CallWords words_of_melt(char const* command, Job const& job) {
+  auto call = words_of_stars(command, job);
+  auto const& s = job.settings;
+  for (auto const& [option, value] : {std::pair("--rho", s.rho), {"--T", s.T}, {"--friction", s.friction}})
+    call.add(option, value);
+  call.add("--squeeze-steps", s.squeeze_steps);
+  return call;
+}
+
 } // namespace mesobridge::workflows

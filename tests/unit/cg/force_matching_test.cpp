@@ -94,13 +94,18 @@ TEST(ForceMatching, GoesOnIntoTheCore) {
   }
 }
 
-TEST(ForceMatching, FindsTheSoftForceThatWasPutIn) {
+/// What is found of a soft fluid whose forces have noise.
+auto soft_fluid_matched(PairLaw const& law, double noise, std::uint64_t seed) {
   std::mt19937_64 bits(5);
-  auto const law = soft(25);
-  PairMonteCarlo fluid(law, 5, 3, 0.3, 6);
+  PairMonteCarlo fluid(law, 5, 3, 0.3, seed);
   auto forces = sampled(fluid, 200, 320, 3);
-  add_forces(forces, law, 5, bits);
-  auto const found = match_forces(forces, {.cutoff = 1, .width = 0.05, .knots = 0.1});
+  add_forces(forces, law, noise, bits);
+  return match_forces(forces, {.cutoff = 1, .width = 0.05, .knots = 0.1});
+}
+
+TEST(ForceMatching, FindsTheSoftForceThatWasPutIn) {
+  auto const law = soft(25);
+  auto const found = soft_fluid_matched(law, 5, 6);
   EXPECT_LT(found.first, 0.3);
   for (std::size_t k = 0; k < found.f.size(); ++k)
     if (double const r = found.r(k); r > found.first) {
@@ -114,12 +119,7 @@ TEST(ForceMatching, FindsTheSoftForceThatWasPutIn) {
 // The force on a particle along the line to another, with that of all others, is the slope of k_BT ln g
 // (Yvon).
 TEST(ForceMatching, MeanForcesAreTheSlopeOfTheStructure) {
-  std::mt19937_64 bits(5);
-  auto const law = soft(25);
-  PairMonteCarlo fluid(law, 5, 3, 0.3, 7);
-  auto forces = sampled(fluid, 200, 320, 3);
-  add_forces(forces, law, 0, bits);
-  auto const found = match_forces(forces, {.cutoff = 1, .width = 0.05, .knots = 0.1});
+  auto const found = soft_fluid_matched(soft(25), 0, 7);
   auto const ln_g = [&](std::size_t k) { return std::log(found.pairs[k] / std::pow(found.r(k), 2)); };
   auto const relative = [&](std::size_t k) { return 1 / found.pairs[k]; };
   for (std::size_t from : {8u, 10u, 12u, 14u}) {

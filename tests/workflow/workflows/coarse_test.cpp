@@ -75,8 +75,7 @@ void write_soft_fluid(std::filesystem::path const& file, std::uint64_t seed) {
                   .atoms = 1,
                   .mass = mass,
                   .rho = density,
-                  .T = 1,
-                  .set = {}},
+                  .T = 1},
                  {.command = "test", .seed = seed, .scene = "", .inputs = {}});
   std::mt19937_64 bits(seed);
   std::normal_distribution<double> normal;
@@ -181,17 +180,8 @@ TEST(CoarsePotential, ByForcesIsRefusedByName) {
 /// Molecules held anywhere, on which a pair force and noise with a memory of two frames act.
 void write_held_fluid(std::filesystem::path const& file, tests::PairLaw const& law) {
   constexpr int molecules = 60, configurations = 6, frames = 200;
-  HeldFile held(file,
-                {.kind = "held",
-                 .name = "6-3",
-                 .fingerprint = "test",
-                 .molecules = molecules,
-                 .atoms = 19,
-                 .mass = 19,
-                 .rho = 0.3,
-                 .T = 1,
-                 .set = {}},
-                frames, {.command = "test", .seed = 1, .scene = "", .inputs = {}});
+  HeldFile held(file, tests::held_head(molecules), frames,
+                {.command = "test", .seed = 1, .scene = "", .inputs = {}});
   tests::RandomBlobs random(std::cbrt(19 * molecules / 0.3), 5);
   std::mt19937_64 bits(3);
   std::normal_distribution<double> normal;
