@@ -42,7 +42,8 @@ FarmedRun run_of(Stage const& stage, bool goes_on, Context const& context) {
     run.argv.emplace_back("--resume");
   else
     run.argv.insert(run.argv.end(), stage.afresh.begin(), stage.afresh.end());
-  if (auto const threads = context.options.threads; threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
+  if (auto const threads = context.options.threads;
+      threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
     run.argv.insert(run.argv.end(), {"--threads", std::to_string(*threads)});
   run.argv.emplace_back("--quiet");
   return run;
@@ -93,7 +94,8 @@ void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& 
          done[first].value("line", "") == line_of(stages[first]) &&
          std::filesystem::exists(stages[first].product))
     ++first;
-  done.erase(done.begin() + std::ptrdiff_t(first), done.end());
+  if (first < stages.size()) // what comes after them in the journal is then of a later list that begins so
+    done.erase(done.begin() + std::ptrdiff_t(first), done.end());
   for (std::size_t end = first; first < stages.size(); first = end) {
     for (end = first + 1; end < stages.size() && stages[end - 1].beside_next;)
       ++end;

@@ -13,6 +13,8 @@ struct StarToDpdePlan {
   double run_time = 1000,
          run_dt = 0.05;         ///< of the coarse fluid, with as many particles as the melt has molecules
   std::optional<double> cutoff; ///< of the potential; if not given, where the melt has no structure left
+  std::optional<double> v_P;    ///< of a piston that moves into both fluids; if not given, none does
+  int shock_across = 5, shock_along = 60; ///< molecules, and particles, of their boxes
 };
 
 /// Of the preset quick (minutes), standard (an hour) or paper.
@@ -27,7 +29,15 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
 /// Those that run it, which come after; `directory` has its scene, scene.toml.
 std::vector<Stage> run_stages(std::filesystem::path const& directory);
 
+/// What drives a piston into both fluids, whose T is that of the model; `directory` has the scene of the
+/// particles, shock/scene.toml. Needs plan.v_P.
+std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory, double T);
+
 /// The scene of the coarse fluid at the temperature that the melt has had, which names the model in one line.
 std::string coarse_scene(StarToDpdePlan const& plan, double T);
+
+/// That of the coarse fluid before the piston; P is its pressure at rest, from which the run's length is
+/// estimated.
+std::string shock_scene(StarToDpdePlan const& plan, double T, double P);
 
 } // namespace mesobridge::workflows

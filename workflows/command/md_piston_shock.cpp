@@ -216,7 +216,7 @@ Result piston_shock(MdPistonShockOptions const& options, Context const& context)
     return told_elsewhere();
   auto const data = read_piston(job.file());
   auto const exact = equations(options, ahead);
-  auto shock = shock_of(data);
+  auto shock = shock_in(shock_data_of(data));
   if (shock && !exact.empty())
     shock->exact = exact.front().shock;
   auto const seed = std::visit([](auto const& of) { return of.seed; }, job.settings);

@@ -1,5 +1,6 @@
 #include "workflows/lj/piston_file.hpp"
 #include "md/units.hpp"
+#include <cmath>
 
 namespace mesobridge::workflows {
 namespace {
@@ -78,7 +79,7 @@ PistonRunInfo info_of(md::StarPistonSettings const& of) {
           .atoms = of.atoms(),
           .slices = of.slices(),
           .v_P = of.v_P,
-          .spacing = of.spacing(),
+          .spacing = std::cbrt(1 / of.rho), // between beads
           .length = of.length(),
           .rho = of.rho,
           .units = UnitSystem::lj};

@@ -36,12 +36,8 @@ std::string digits_of(ShockQuantity const& quantity, double si) {
   return number_text(si * quantity.factor, 5);
 }
 
-std::optional<ShockOfRun> shock_of(PistonData const& data) {
-  auto shock = shock_in(data.frames, data.scale);
-  if (shock)
-    if (auto const centres = sdpd::steady_shock(data.molecules, data.scale))
-      shock->T_kin = centres->T;
-  return shock;
+ShockData shock_data_of(PistonData const& data) {
+  return {data.scale, data.frames, data.molecules.empty() ? data.frames : data.molecules};
 }
 
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {

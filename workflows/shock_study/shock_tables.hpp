@@ -8,9 +8,9 @@
 
 namespace mesobridge::workflows {
 
-/// The shock of a run by molecular dynamics; T_kin is that of the molecules' centres where atoms are bound.
-/// Nothing where it is not steady for long enough.
-std::optional<ShockOfRun> shock_of(PistonData const& data);
+/// What a run by molecular dynamics has found; the motion is that of the molecules' centres where atoms are
+/// bound.
+ShockData shock_data_of(PistonData const& data);
 
 /// The row of a run by molecular dynamics.
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock);

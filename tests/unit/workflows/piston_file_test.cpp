@@ -49,6 +49,39 @@ TEST(PistonFile, HoldsArgonInSi) {
   EXPECT_NEAR(last.rho[3] / (2 * 6.64e-26 / (area * width)), 1, 1e-9);
 }
 
+TEST(PistonFile, HoldsMeltsAsTheyAre) {
+  ScratchDirectory const scratch;
+  md::StarPistonSettings of;
+  auto const n = std::size_t(of.slices());
+  PistonFile file(scratch / "p.h5", info_of(of), {});
+  md::PistonSlices slices{.step = 1,
+                          .time = 0.2,
+                          .piston = 0.1,
+                          .number = std::vector<double>(n, 2 * 25 * 19.0), // twice as many as at rest
+                          .velocity = std::vector<double>(n, 0.5),
+                          .T = std::vector<double>(n, 1.1),
+                          .P = std::vector<double>(n, 0.7)};
+  slices.energy = 12.5;
+  slices.molecules = {std::vector<double>(n, 50), std::vector<double>(n, 0.4), std::vector<double>(n, 0.9)};
+  file.append(slices);
+  file.close(true);
+  auto const data = read_piston(scratch / "p.h5");
+  EXPECT_EQ(data.units, UnitSystem::lj);
+  EXPECT_EQ(data.atoms, of.atoms());
+  EXPECT_EQ(data.scale.v_P, 0.5);
+  EXPECT_NEAR(data.scale.spacing, std::pow(0.3, -1.0 / 3), 1e-12); // of beads
+  EXPECT_NEAR(data.scale.position[1] - data.scale.position[0], std::cbrt(19 / 0.3), 1e-9);
+  ASSERT_EQ(data.frames.size(), 1u);
+  EXPECT_EQ(data.frames[0].time, 0.2);
+  EXPECT_NEAR(data.frames[0].rho[5], 0.6, 1e-12);
+  EXPECT_EQ(data.frames[0].T[5], 1.1);
+  ASSERT_EQ(data.molecules.size(), 1u);
+  EXPECT_EQ(data.molecules[0].T[5], 0.9);
+  EXPECT_EQ(data.molecules[0].velocity[5], 0.4);
+  EXPECT_EQ(data.molecules[0].P[5], 0.7);
+  EXPECT_EQ(data.energy, std::vector<double>{12.5});
+}
+
 TEST(PistonFile, IsReadAsFarAsItGoes) {
   ScratchDirectory const scratch;
   PistonFile(scratch / "p.h5", info_of(settings()), {}).close(false);

@@ -97,7 +97,10 @@ TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
                                 {{"--star", "6"}, "6"},
                                 {{"--rho", "0.9"}, "density rho"},
                                 {{"--held-steps", "0"}, "sampling steps"},
-                                {{"--T", "-1"}, "temperature T"}};
+                                {{"--T", "-1"}, "temperature T"},
+                                {{"--shock", "-1"}, "velocity of the piston"},
+                                {{"--shock", "0.5", "--shock-across", "2"}, "molecules across"},
+                                {{"--shock-along", "80"}, "needs --shock"}};
   int refused = 0;
   for (auto const& [words, message] : cases) {
     ScratchDirectory const scratch;
@@ -108,7 +111,7 @@ TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
     EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
     ++refused;
   }
-  EXPECT_EQ(refused, 6);
+  EXPECT_EQ(refused, 9);
 }
 
 TEST(Stages, AreLinesForAShell) {
