@@ -3,7 +3,7 @@
 #include "md/units.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/earlier_results.hpp"
-#include "workflows/lj/piston_file.hpp"
+#include "workflows/lj/piston_balance.hpp"
 #include "workflows/lj/preset.hpp"
 #include "workflows/lj/sample_piston.hpp"
 #include "workflows/metal/hugoniot_reference.hpp"
@@ -234,6 +234,9 @@ Result piston_shock(MdPistonShockOptions const& options, Context const& context)
     auto const row = shock ? std::optional(md_row(data, *shock)) : std::nullopt;
     summary["rankine_hugoniot_by_equation"] = equations_json(row ? &*row : nullptr, exact);
   }
+  if (auto const balance = balance_of(data))
+    summary["piston_pressure_by_energy"] = balance->by_energy,
+    summary["piston_pressure_by_momentum"] = balance->by_momentum;
   auto report =
       report_of(options, ahead, data, shock, exact, {context.command_line(), seed, "", {job.file()}});
   auto text = text_of(data, shock, exact);

@@ -1,6 +1,6 @@
 #include "md/units.hpp"
 #include "scratch_directory.hpp"
-#include "workflows/lj/piston_file.hpp"
+#include "workflows/lj/piston_balance.hpp"
 #include "workflows/lj/sample_piston.hpp"
 #include <gtest/gtest.h>
 
@@ -80,6 +80,21 @@ TEST(PistonFile, HoldsMeltsAsTheyAre) {
   EXPECT_EQ(data.molecules[0].velocity[5], 0.4);
   EXPECT_EQ(data.molecules[0].P[5], 0.7);
   EXPECT_EQ(data.energy, std::vector<double>{12.5});
+}
+
+// Two slices 2 long of 3 x 5: in one unit of time the fluid gains 30 of energy before a piston at 0.5, 4 a
+// unit of area, and, of the density 1, 2 (0.5 + 0.2) of momentum, while the far wall pushes with 2.5.
+TEST(PistonFile, TellsTheWorkOfThePistonTwice) {
+  PistonData data;
+  data.atoms = 60, data.scale = {.position = {1, 3}, .v_P = 0.5, .spacing = 1};
+  std::vector<double> const rho{1, 1}, P{9, 2.5}, T{1, 1};
+  data.frames = {{1, 0.5, {0, 0}, rho, P, T}, {2, 1, {0.5, 0.2}, rho, P, T}};
+  EXPECT_FALSE(balance_of(data)); // no energy
+  data.energy = {100, 130};
+  auto const balance = balance_of(data);
+  ASSERT_TRUE(balance);
+  EXPECT_NEAR(balance->by_energy, 4, 1e-12);
+  EXPECT_NEAR(balance->by_momentum, 1.4 + 2.5, 1e-12);
 }
 
 TEST(PistonFile, IsReadAsFarAsItGoes) {
