@@ -185,7 +185,7 @@ Json shocks_json(ComparedShocks const& shocks) {
   return json;
 }
 
-Section shocks_section(ComparedShocks const& shocks, double v_P) {
+Section shocks_section(ComparedShocks const& shocks, double v_P, std::vector<Stage> const& stages) {
   Section section{fmt::format("A piston at {:g}", v_P), {}};
   if (!shocks.both()) {
     section.content.emplace_back(Paragraph{
@@ -195,6 +195,10 @@ Section shocks_section(ComparedShocks const& shocks, double v_P) {
   }
   section.content = {Paragraph{reading(shocks)}, table_of(shocks),
                      figure_of(*shocks.melt, *shocks.particles)};
+  for (auto const& stage : stages)
+    section.content.emplace_back(Paragraph{"`" + line_of(stage) + "`"});
+  section.content.emplace_back(Files{{{"shock/melt/report.html", "the piston in the melt"},
+                                      {"shock/run/report.html", "the piston in the particles"}}});
   return section;
 }
 

@@ -34,7 +34,7 @@ ComparedShocks read_shocks(StarToDpdePlan const& plan, std::filesystem::path con
 /// v_S, rho, P, T ... of both, with errors and how many standard errors apart.
 Json shocks_json(ComparedShocks const& shocks);
 
-/// A table of both side by side, and profiles in the frame of the front.
-Section shocks_section(ComparedShocks const& shocks, double v_P);
+/// A table of both side by side, profiles in the frame of the front, and the stages that made them.
+Section shocks_section(ComparedShocks const& shocks, double v_P, std::vector<Stage> const& stages);
 
 } // namespace mesobridge::workflows

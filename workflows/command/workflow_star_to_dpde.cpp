@@ -68,7 +68,7 @@ void add_shocks(StarToDpdePlan const& plan, std::filesystem::path const& directo
   make_stages(stages, directory / "stages.json", context);
   auto const shocks = read_shocks(plan, directory);
   summary["shock"] = shocks_json(shocks);
-  report.sections.insert(report.sections.end() - 1, shocks_section(shocks, *plan.v_P));
+  report.sections.insert(report.sections.end() - 1, shocks_section(shocks, *plan.v_P, more));
 }
 
 Result star_to_dpde(WorkflowStarToDpdeOptions const& options, Context const& context) {

@@ -39,7 +39,7 @@ TEST(ComparedShocks, KnowWhatIsHeat) {
 TEST(ComparedShocks, AreToldSideBySide) {
   ComparedShocks shocks{.melt = shock(), .particles = shock(), .of_melt = {}, .of_particles = {}};
   shocks.of_melt = shocked_state(shock(), 1.5, 10, fitting::ConstantHeatCapacity(20));
-  EXPECT_EQ(shocks_section(shocks, 0.5).content.size(), 1u); // there is nothing to compare with
+  EXPECT_EQ(shocks_section(shocks, 0.5, {}).content.size(), 1u); // there is nothing to compare with
   EXPECT_FALSE(shocks_json(shocks).contains("P_dpde"));
   shocks.of_particles = shocks.of_melt;
   shocks.of_particles->P = {0.52, 0.003};
