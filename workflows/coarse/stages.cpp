@@ -94,7 +94,8 @@ void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& 
          done[first].value("line", "") == line_of(stages[first]) &&
          std::filesystem::exists(stages[first].product))
     ++first;
-  done.erase(done.begin() + std::ptrdiff_t(first), done.end());
+  if (first < stages.size()) // what comes after them in the journal is then of a later list that begins so
+    done.erase(done.begin() + std::ptrdiff_t(first), done.end());
   for (std::size_t end = first; first < stages.size(); first = end) {
     for (end = first + 1; end < stages.size() && stages[end - 1].beside_next;)
       ++end;

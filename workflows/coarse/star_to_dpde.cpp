@@ -1,8 +1,8 @@
 #include "workflows/coarse/star_to_dpde.hpp"
 #include "fitting/particle_model_file.hpp"
-#include "fitting/toml_text.hpp"
 #include "md/error.hpp"
 #include "md/held_blobs.hpp"
+#include "md/star_piston.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
 #include <cmath>
@@ -33,15 +33,12 @@ Call melt_call(char const* command, md::StarMeltSettings const& s, std::filesyst
   return call.add("--ranks", 1).add("-o", folder.string()); // two such runs at once lose nothing to waiting
 }
 
-std::int64_t frames_between(StarToDpdePlan const& plan, CoarseRun const& run) {
-  double const every = plan.melt.dt * double(plan.melt.sample_every); // as often as the melt's
-  return std::max<std::int64_t>(1, std::llround(every / run.dt));
-}
-
-/// A multiple of the steps between two frames.
-std::int64_t run_steps(StarToDpdePlan const& plan, CoarseRun const& run) {
-  auto const every = frames_between(plan, run);
-  return every * std::max<std::int64_t>(1, std::llround(plan.run_time / (run.dt * double(every))));
+md::StarPistonSettings piston_of(StarToDpdePlan const& plan, double T) {
+  md::StarPistonSettings settings;
+  settings.star = plan.melt.star, settings.rho = plan.melt.rho, settings.T = T;
+  settings.v_P = plan.v_P.value(), settings.seed = plan.melt.seed;
+  settings.across = plan.shock_across, settings.along = plan.shock_along;
+  return settings;
 }
 
 } // namespace
@@ -57,11 +54,12 @@ StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) 
   melt.molecules = 216, melt.dt = 0.004, melt.sample_every = 25, melt.seed = seed;
   melt.sampling_steps = 75000;
   if (preset == "standard")
-    melt.molecules = 512, melt.sampling_steps = 500000, plan.configurations = 12, plan.held_steps = 20000,
-    plan.run_time = 4000;
+    plan.shock_across = 8, plan.shock_along = 100, melt.molecules = 512, melt.sampling_steps = 500000,
+    plan.configurations = 12, plan.held_steps = 20000, plan.run_time = 4000;
   if (preset == "paper")
-    melt.molecules = 1000, melt.dt = 0.002, melt.sample_every = 50, melt.sampling_steps = 2000000,
-    plan.configurations = 24, plan.held_steps = 40000, plan.run_time = 10000;
+    plan.shock_across = 12, plan.shock_along = 160, melt.molecules = 1000, melt.dt = 0.002,
+    melt.sample_every = 50, melt.sampling_steps = 2000000, plan.configurations = 24, plan.held_steps = 40000,
+    plan.run_time = 10000;
   return plan;
 }
 
@@ -103,6 +101,8 @@ void check(StarToDpdePlan const& plan) {
             fmt::format("must be > 0 and at most its time, {:g}", plan.run_time));
     require(names.insert(run.name).second, "run of the coarse fluid", run.name, "must be named once");
   }
+  if (plan.v_P)
+    md::check(piston_of(plan, plan.melt.T));
   double const side = std::cbrt(double(plan.melt.molecules));
   require(std::abs(side - std::round(side)) < 1e-9, "molecules", plan.melt.molecules,
           "must be a cube, such as 216 or 512: the coarse particles begin on a cubic lattice");
@@ -166,48 +166,24 @@ std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path 
   return stages;
 }
 
-std::string coarse_scene(StarToDpdePlan const& plan, CoarseRun const& run, double T) {
-  auto const& s = plan.melt;
-  double const mass = s.star.atoms(), spacing = std::cbrt(mass / s.rho);
-  auto const side = std::llround(std::cbrt(double(s.molecules)));
-  auto const model = run.model.empty() ? "model/" + s.star.name() + "-melt.toml" : run.model.string();
-  bool const small = s.star.atoms() < 12; // whose energies come near the end of S(U) by chance
-  return fmt::format(R"(title = "{0} stars at rho = {1}, T = {2:.4g} as DPDE particles"
-units = "lj"
-
-[method]
-name = "dpde"
-
-[fluid]
-rho = {1}
-T = {2}
-
-[particles]
-N = {3}
-model = {11} # mass, S(U), potential, friction and conduction, measured
-
-[box]
-lattice = [{4}, {4}, {4}]
-
-[scheme]
-name = "{10}"
-conservative = "mclachlan"
-dt = "{5} tau"
-
-[run]
-equilibrate = {6}
-steps = {7}
-sample_every = {8}
-trajectory_every = {8}
-seed = {9}
-
-[series]
-every = {8}
-quantities = ["internal_energy_spread"]
-)",
-                     s.star.name(), s.rho, T, s.molecules, side, run.dt, std::llround(20 * spacing / run.dt),
-                     run_steps(plan, run), frames_between(plan, run), s.seed, small ? "ems" : "ssa",
-                     fitting::quoted(model));
+std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory,
+                                double T) {
+  auto const folder = directory / "shock";
+  auto const settings = piston_of(plan, T);
+  Call melt{{"md", "piston-shock", "--star", settings.star.name()}};
+  melt.add("--rho0", settings.rho).add("--T0", fmt::format("{:.5g}", T)).add("--vp", settings.v_P);
+  melt.add("--cells-across", settings.across)
+      .add("--cells-along", settings.along)
+      .add("--seed", settings.seed);
+  melt.add("--ranks", 1).add("-o", (folder / "melt").string());
+  return {
+      {"piston in the melt and in the particles", melt.words, folder / "melt/summary.json", {}, {}, true},
+      {"piston in the particles",
+       {"run", (folder / "scene.toml").string(), "--threads", "1", "-o", (folder / "run").string()},
+       folder / "run/summary.json",
+       folder / "run/scene.toml",
+       {"--force"}},
+  };
 }
 
 } // namespace mesobridge::workflows

@@ -22,6 +22,8 @@ struct StarToDpdePlan {
   double run_time = 1000;          ///< of each run of the coarse fluid
   std::vector<CoarseRun> runs;     ///< the first is of the model that is found here, and decides what is kept
   std::optional<double> cutoff;    ///< of the potential; if not given, where the melt has no structure left
+  std::optional<double> v_P;       ///< of a piston that moves into both fluids; if not given, none does
+  int shock_across = 5, shock_along = 60; ///< molecules, and particles, of their boxes
 };
 
 /// Of the preset quick (minutes), standard (an hour) or paper.
@@ -48,7 +50,8 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
 /// Those that make the runs, two for each, which come after; `directory` has their scenes.
 std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory);
 
-/// The scene of a run at the temperature that the melt has had, which names the model in one line.
-std::string coarse_scene(StarToDpdePlan const& plan, CoarseRun const& run, double T);
+/// What drives a piston into both fluids, whose T is that of the model; `directory` has the scene of the
+/// particles, shock/scene.toml. Needs plan.v_P.
+std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory, double T);
 
 } // namespace mesobridge::workflows

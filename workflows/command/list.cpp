@@ -68,7 +68,8 @@ std::vector<Command> commands() {
        .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
        .declare = md_hugoniot_command},
       {.name = "md piston-shock",
-       .summary = "A piston that drives a shock into Lennard-Jones argon or a metal, with LAMMPS",
+       .summary =
+           "A piston that drives a shock into Lennard-Jones argon, a metal or a melt of stars, with LAMMPS",
        .example = "mesobridge md piston-shock --rho0 1150 --T0 500 --vp 500 -o out/md-shock",
        .declare = md_piston_shock_command},
       {.name = "md star-melt",

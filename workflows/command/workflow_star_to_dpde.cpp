@@ -1,4 +1,6 @@
 #include "fitting/particle_model_file.hpp"
+#include "workflows/coarse/coarse_scenes.hpp"
+#include "workflows/coarse/compared_shocks.hpp"
 #include "workflows/coarse/melts_study.hpp"
 #include "workflows/coarse/star_to_dpde_report.hpp"
 #include "workflows/command/options.hpp"
@@ -16,10 +18,10 @@ struct WorkflowStarToDpdeOptions {
   std::vector<std::string> stars;
   std::vector<double> densities;
   bool transfer = false;
-  std::optional<double> T, cutoff, run_time;
+  std::optional<double> T, cutoff, run_time, v_P;
   std::vector<double> run_dt;
   std::vector<std::string> other_models;
-  std::optional<int> molecules, configurations;
+  std::optional<int> molecules, configurations, shock_across, shock_along;
   std::optional<std::int64_t> sampling_steps, sample_every, held_steps;
 };
 
@@ -41,6 +43,12 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
   if (!options.run_dt.empty() || !options.other_models.empty())
     plan.runs = coarse_runs(options.run_dt.empty() ? usual_time_steps() : options.run_dt,
                             {options.other_models.begin(), options.other_models.end()});
+  plan.v_P = options.v_P;
+  for (auto const& [name, value] :
+       {std::pair("--shock-across", options.shock_across), {"--shock-along", options.shock_along}})
+    require(!value || options.v_P, name, value.value_or(0), "needs --shock");
+  plan.shock_across = options.shock_across.value_or(plan.shock_across);
+  plan.shock_along = options.shock_along.value_or(plan.shock_along);
   check(plan); // before anything is run
   return plan;
 }
@@ -52,6 +60,29 @@ double temperature_of(std::filesystem::path const& model) {
   return state->T;
 }
 
+/// Writes the scene of a stage, whose product from another scene does not count.
+void write_scene(std::filesystem::path const& file, std::string const& text,
+                 std::filesystem::path const& product) {
+  if (std::filesystem::exists(file) && read_text_file(file) == text)
+    return;
+  std::filesystem::create_directories(file.parent_path());
+  std::filesystem::remove(product);
+  write_text_file(file, text);
+}
+
+/// Drives a piston into both fluids, after all else, and tells what comes of it.
+void add_shocks(StarToDpdePlan const& plan, std::filesystem::path const& directory, double T,
+                std::vector<Stage> stages, Context const& context, Json& summary, Report& report) {
+  auto const more = shock_stages(plan, directory, T);
+  write_scene(directory / "shock/scene.toml", shock_scene(plan, T, summary.at("P_dpde").get<double>()),
+              more.back().product);
+  stages.insert(stages.end(), more.begin(), more.end());
+  make_stages(stages, directory / "stages.json", context);
+  auto const shocks = read_shocks(plan, directory);
+  summary["shock"] = shocks_json(shocks);
+  report.sections.insert(report.sections.end() - 1, shocks_section(shocks, *plan.v_P, more));
+}
+
 Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path const& directory,
                 Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
@@ -59,9 +90,9 @@ Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path 
   auto stages = model_stages(plan, directory);
   make_stages(stages, directory / "stages.json", context);
   double const T = temperature_of(stages.back().product);
-  for (auto const& run : plan.runs)
-    write_text_file(directory / run.scene(), coarse_scene(plan, run, T));
   auto const later = run_stages(plan, directory);
+  for (std::size_t k = 0; k < plan.runs.size(); ++k) // of two stages each
+    write_scene(directory / plan.runs[k].scene(), coarse_scene(plan, plan.runs[k], T), later[2 * k].product);
   stages.insert(stages.end(), later.begin(), later.end());
   make_stages(stages, directory / "stages.json", context);
   auto const kept = read_kept(plan, directory, context);
@@ -69,6 +100,8 @@ Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path 
   report.provenance = {context.command_line(), seed, coarse_scene(plan, plan.runs.front(), T), {}};
   auto summary = star_to_dpde_summary(plan, kept);
   summary["preset"] = options.preset;
+  if (plan.v_P)
+    add_shocks(plan, directory, T, stages, context, summary, report);
   return with_report(directory, std::move(summary), report.html());
 }
 
@@ -82,7 +115,8 @@ std::vector<std::string> further_words(WorkflowStarToDpdeOptions const& options,
   add("--T", options.T), add("--cutoff", options.cutoff), add("--run-time", options.run_time);
   add("--molecules", options.molecules), add("--configurations", options.configurations);
   add("--sampling-steps", options.sampling_steps), add("--sample-every", options.sample_every);
-  add("--held-steps", options.held_steps);
+  add("--held-steps", options.held_steps), add("--shock", options.v_P);
+  add("--shock-across", options.shock_across), add("--shock-along", options.shock_along);
   for (double const dt : options.run_dt)
     words.insert(words.end(), {"--run-dt", fmt::format("{}", dt)});
   for (auto const& model : options.other_models)
@@ -149,6 +183,13 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
          "--other-model", options.other_models,
          "Models of other melts that are run beside the one found here: what a model is worth elsewhere")
       ->type_name("FILE");
+  app.add_option(
+         "--shock", options.v_P,
+         "Velocity of a piston that drives a shock into the melt and into the particles, side by side")
+      ->type_name("REAL");
+  app.add_option("--shock-across", options.shock_across, "Molecules across the boxes of both")
+      ->type_name("INT");
+  app.add_option("--shock-along", options.shock_along, "Molecules along them")->type_name("INT");
   app.add_option("--cutoff", options.cutoff,
                  "Of the potential (default: 1.3 times where g(r) is 1 within 0.02)");
 }

@@ -36,6 +36,10 @@ std::string digits_of(ShockQuantity const& quantity, double si) {
   return number_text(si * quantity.factor, 5);
 }
 
+ShockData shock_data_of(PistonData const& data) {
+  return {data.scale, data.frames, data.molecules.empty() ? data.frames : data.molecules};
+}
+
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {
   auto const& m = shock.measured;
   ShockRow row{.model = "MD",

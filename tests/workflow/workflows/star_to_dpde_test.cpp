@@ -113,6 +113,9 @@ TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
                                 {{"--rho", "0.9"}, "density rho"},
                                 {{"--held-steps", "0"}, "sampling steps"},
                                 {{"--T", "-1"}, "temperature T"},
+                                {{"--shock", "-1"}, "velocity of the piston"},
+                                {{"--shock", "0.5", "--shock-across", "2"}, "molecules across"},
+                                {{"--shock-along", "80"}, "needs --shock"},
                                 {{"--run-dt", "0"}, "time step of the coarse run"},
                                 {{"--run-dt", "0.1", "0.05", "0.05"}, "named once"},
                                 {{"--run-time", "0.01"}, "at most its time"},
@@ -130,7 +133,7 @@ TEST(StarToDpde, RefusesWhatMakesNoChainBeforeAnythingRuns) {
     EXPECT_NE(result.errors.find(message), std::string::npos) << result.errors;
     ++refused;
   }
-  EXPECT_EQ(refused, 13);
+  EXPECT_EQ(refused, 16);
 }
 
 // Two densities, and the model of the first at the second.
