@@ -44,6 +44,18 @@ dt = "{} tau"
                      small ? "ems" : "ssa", dt);
 }
 
+std::string run_of_scene(std::int64_t equilibrate, std::int64_t steps, std::int64_t every,
+                         std::uint64_t seed) {
+  return fmt::format(R"(
+[run]
+equilibrate = {}
+steps = {}
+sample_every = {}
+seed = {}
+)",
+                     equilibrate, steps, every, seed);
+}
+
 /// Time in which a fluid that begins on a lattice comes to rest.
 double settling_time(StarToDpdePlan const& plan) {
   return 20 * std::cbrt(plan.melt.star.atoms() / plan.melt.rho);
@@ -60,19 +72,14 @@ std::string coarse_scene(StarToDpdePlan const& plan, CoarseRun const& run, doubl
   auto const frames = std::max<std::int64_t>(1, std::llround(plan.run_time / (run.dt * double(every))));
   return fluid_of_scene(plan, T, {side, side, side}, run.model.empty() ? own : run.model.string()) +
          scheme_of_scene(plan, run.dt) +
-         fmt::format(R"(
-[run]
-equilibrate = {0}
-steps = {1}
-sample_every = {2}
-trajectory_every = {2}
-seed = {3}
+         run_of_scene(std::llround(settling_time(plan) / run.dt), every * frames, every, s.seed) +
+         fmt::format(R"(trajectory_every = {0}
 
 [series]
-every = {2}
+every = {0}
 quantities = ["internal_energy_spread"]
 )",
-                     std::llround(settling_time(plan) / run.dt), every * frames, every, s.seed);
+                     every);
 }
 
 std::string shock_scene(StarToDpdePlan const& plan, double T, double P) {
@@ -90,23 +97,18 @@ piston = {}
 )",
                      v_P) +
          scheme_of_scene(plan, dt) +
+         run_of_scene(std::llround(settling_time(plan) / dt), steps, every, s.seed) +
          fmt::format(R"(
-[run]
-equilibrate = {0}
-steps = {1}
-sample_every = {2}
-seed = {3}
-
 [profile]
 axis = "z"
-bins = {4}
-every = {2}
+bins = {0}
+every = {1}
 
 [series]
-every = {2}
+every = {1}
 quantities = ["wall_pressure", "wall_work"]
 )",
-                     std::llround(settling_time(plan) / dt), steps, every, s.seed, plan.shock_along);
+                     plan.shock_along, every);
 }
 
 } // namespace mesobridge::workflows

@@ -8,18 +8,18 @@
 namespace mesobridge::workflows {
 namespace {
 
-struct Compared {
+struct Shown {
   char const *key, *what;
 };
-constexpr Compared compared[] = {{"P", "pressure"},
-                                 {"T_kin", "temperature of the motion"},
-                                 {"T_int", "temperature of the internal energies"},
-                                 {"internal_energy", "internal energy"},
-                                 {"internal_energy_spread", "its standard deviation"},
-                                 {"diffusion", "diffusion, by displacements"},
-                                 {"D_velocity", "diffusion, by velocities"},
-                                 {"velocity_decay_time", "velocities to 1/e"},
-                                 {"eta", "shear viscosity"}};
+constexpr Shown compared[] = {{"P", "pressure"},
+                              {"T_kin", "temperature of the motion"},
+                              {"T_int", "temperature of the internal energies"},
+                              {"internal_energy", "internal energy"},
+                              {"internal_energy_spread", "its standard deviation"},
+                              {"diffusion", "diffusion, by displacements"},
+                              {"D_velocity", "diffusion, by velocities"},
+                              {"velocity_decay_time", "velocities to 1/e"},
+                              {"eta", "shear viscosity"}};
 
 /// What the particles have over what the molecules have, less 1, in %; none where one of both is missing.
 /// `run` is a row of a chain, or one of its runs.
@@ -94,7 +94,7 @@ Table costs(Json const& rows) {
 }
 
 /// Over the densities, a series for each star.
-std::string figure_of(MeltsStudy const& study, Json const& rows, Compared const& of) {
+std::string figure_of(MeltsStudy const& study, Json const& rows, Shown const& of) {
   auto plot = one_panel(of.key, of.what, "ρ", "particles less molecules [%]", {0});
   for (auto const& star : study.stars) {
     Series series{.label = star, .style = SeriesStyle::points};

@@ -30,8 +30,10 @@ Series curve_over_sizes(std::string label, std::vector<RunResult> const& runs, i
 }
 
 /// Something against the size of the particles of the runs.
-Plot size_plot(std::string name, std::string title, std::string y, std::vector<RunResult> const& runs) {
-  auto plot = one_panel(std::move(name), std::move(title), "particle size K", std::move(y));
+Plot size_plot(std::string name, std::string title, std::string y, std::vector<RunResult> const& runs,
+               std::vector<double> level_lines = {}) {
+  auto plot =
+      one_panel(std::move(name), std::move(title), "particle size K", std::move(y), std::move(level_lines));
   plot.x.logarithmic = true;
   plot.x.min = runs.front().settings.K() / 1.5, plot.x.max = runs.back().settings.K() * 1.5;
   return plot;
@@ -65,24 +67,22 @@ Plot pressure_against_size(ChainResults const& results) {
 
 Plot temperatures_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("temperatureK", "Temperatures", "T [K]", runs);
+  auto plot = size_plot("temperatureK", "Temperatures", "T [K]", runs, {fluid_T});
   plot.panels[0].series = {
       against_size("kinetic", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.T_kin, fluid_T); }),
       against_size("internal", runs, 1,
                    [](auto const& run) { return scaled(run.equilibrium.T_int, fluid_T); })};
-  plot.panels[0].level_lines = {fluid_T};
   return plot;
 }
 
 Plot density_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]", runs);
+  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]", runs, {fluid_rho});
   plot.panels[0].series = {
       against_size("SDPD", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.rho.mean, fluid_rho); }),
       curve_over_sizes("thesis, Table 5.1", runs, 2, [](double K) { return thesis_means(K).density; })};
-  plot.panels[0].level_lines = {fluid_rho};
   return plot;
 }
 

@@ -14,14 +14,7 @@ HeldFile open_held(HeldJob const& job, double mass, Context const& context) {
   auto const& s = job.settings;
   if (job.resume && std::filesystem::exists(job.blobs()))
     return HeldFile::continue_file(job.blobs(), s.fingerprint());
-  BlobFileHead const head{.kind = "held",
-                          .name = s.star.name(),
-                          .fingerprint = s.fingerprint(),
-                          .molecules = s.molecules,
-                          .atoms = s.star.atoms(),
-                          .mass = mass,
-                          .rho = s.rho,
-                          .T = s.T};
+  auto const head = stars_head("held", s, mass, s.rho, s.T);
   return {job.blobs(), head, md::frames_of_each(s),
           Provenance{.command = context.command_line(), .seed = s.seed, .scene = "", .inputs = {}}};
 }

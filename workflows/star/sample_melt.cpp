@@ -8,24 +8,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-BlobFileHead head_of(md::StarMeltSettings const& settings, double mass) {
-  return {.kind = "melt",
-          .name = settings.star.name(),
-          .fingerprint = settings.fingerprint(),
-          .molecules = settings.molecules,
-          .atoms = settings.star.atoms(),
-          .mass = mass,
-          .rho = settings.rho,
-          .T = settings.T};
-}
-
 bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<MeltFiles> files;
   std::optional<Progress> progress;
   if (world.is_root()) {
     files.emplace(
-        job.settings.directory, job.resume, head_of(job.settings, maker.model().mass()),
+        job.settings.directory, job.resume,
+        stars_head("melt", job.settings, maker.model().mass(), job.settings.rho, job.settings.T),
         Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
     progress.emplace(context.progress(
         fmt::format("melt of {} stars at rho = {}", job.settings.star.name(), job.settings.rho), 1));
