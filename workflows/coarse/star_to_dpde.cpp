@@ -166,6 +166,13 @@ std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path 
   return stages;
 }
 
+int least_across(StarToDpdePlan const& plan, std::filesystem::path const& model) {
+  constexpr double with_skin = 1.2;
+  auto const& r = fitting::parse_particle_model(read_text_file(model), model.string()).potential.at("r");
+  double const spacing = std::cbrt(plan.melt.star.atoms() / plan.melt.rho);
+  return int(std::ceil(2 * with_skin * r.back() / spacing));
+}
+
 std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory,
                                 double T) {
   auto const folder = directory / "shock";

@@ -23,7 +23,7 @@ struct StarToDpdePlan {
   std::vector<CoarseRun> runs;     ///< the first is of the model that is found here, and decides what is kept
   std::optional<double> cutoff;    ///< of the potential; if not given, where the melt has no structure left
   std::optional<double> v_P;       ///< of a piston that moves into both fluids; if not given, none does
-  int shock_across = 5, shock_along = 60; ///< molecules, and particles, of their boxes
+  int shock_across = 5, shock_along = 60; ///< molecules, and particles, of their boxes, at least
 };
 
 /// Of the preset quick (minutes), standard (an hour) or paper.
@@ -49,6 +49,9 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
 
 /// Those that make the runs, two for each, which come after; `directory` has their scenes.
 std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory);
+
+/// The least molecules across a box for the pairs of a model's potential, with room for lists of neighbours.
+int least_across(StarToDpdePlan const& plan, std::filesystem::path const& model);
 
 /// What drives a piston into both fluids, whose T is that of the model; `directory` has the scene of the
 /// particles, shock/scene.toml. Needs plan.v_P.

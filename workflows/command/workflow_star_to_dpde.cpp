@@ -71,8 +71,10 @@ void write_scene(std::filesystem::path const& file, std::string const& text,
 }
 
 /// Drives a piston into both fluids, after all else, and tells what comes of it.
-void add_shocks(StarToDpdePlan const& plan, std::filesystem::path const& directory, double T,
+void add_shocks(StarToDpdePlan plan, std::filesystem::path const& directory, double T,
                 std::vector<Stage> stages, Context const& context, Json& summary, Report& report) {
+  auto const least = least_across(plan, directory / "model" / (plan.melt.star.name() + "-melt.toml"));
+  plan.shock_across = std::max(plan.shock_across, least);
   auto const more = shock_stages(plan, directory, T);
   write_scene(directory / "shock/scene.toml", shock_scene(plan, T, summary.at("P_dpde").get<double>()),
               more.back().product);
@@ -187,7 +189,8 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
          "--shock", options.v_P,
          "Velocity of a piston that drives a shock into the melt and into the particles, side by side")
       ->type_name("REAL");
-  app.add_option("--shock-across", options.shock_across, "Molecules across the boxes of both")
+  app.add_option("--shock-across", options.shock_across,
+                 "Molecules across the boxes of both, or as many as the range of the potential needs")
       ->type_name("INT");
   app.add_option("--shock-along", options.shock_along, "Molecules along them")->type_name("INT");
   app.add_option("--cutoff", options.cutoff,
