@@ -1,5 +1,6 @@
 #include "workflows/coarse/coarse_scenes.hpp"
 #include "fitting/toml_text.hpp"
+#include "md/error.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,12 +57,11 @@ seed = {}
                      equilibrate, steps, every, seed);
 }
 
-/// Time in which a fluid that begins on a lattice comes to rest.
+} // namespace
+
 double settling_time(StarToDpdePlan const& plan) {
   return 20 * std::cbrt(plan.melt.star.atoms() / plan.melt.rho);
 }
-
-} // namespace
 
 std::string coarse_scene(StarToDpdePlan const& plan, CoarseRun const& run, double T) {
   auto const& s = plan.melt;
@@ -86,6 +86,7 @@ std::string shock_scene(StarToDpdePlan const& plan, double T, double P) {
   auto const& s = plan.melt;
   double const spacing = std::cbrt(s.star.atoms() / s.rho), dt = plan.runs.front().dt / 2,
                v_P = plan.v_P.value();
+  require(P > 0, "pressure of the particles at rest", P, "must be > 0 for a shock");
   // P goes about as rho^2, and a little longer a run does no harm.
   double const v_S = std::sqrt(2 * P / s.rho) + 0.8 * v_P;
   auto const steps = std::llround(plan.shock_along * spacing / v_S / dt);

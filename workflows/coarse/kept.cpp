@@ -1,4 +1,5 @@
 #include "workflows/coarse/kept.hpp"
+#include "workflows/coarse/coarse_scenes.hpp"
 #include "workflows/json_file.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/transport/measured_motion.hpp"
@@ -64,19 +65,20 @@ void add_motion(KeptRun& kept, TransportResult const& of_molecules) {
       kept.quantities.push_back({key, what, *molecules, *particles, share});
 }
 
-/// What one run has kept; `line` is its stage's.
+/// What one run has kept, which took so many seconds with its way to rest.
 KeptRun kept_run(CoarseRun const& run, StarToDpdePlan const& plan, std::filesystem::path const& directory,
                  Kept const& of_melt, double seconds, Context const& context) {
   auto const folder = directory / run.name;
   auto const summary = read_json(folder / "summary.json");
+  double const sampled = summary.at("dt").get<double>() * summary.at("steps").get<double>(),
+               whole = sampled + settling_time(plan);
   KeptRun kept{.run = run,
                .quantities = {},
                .g_particles = radial_estimate(thinned(read_motion(folder, context).series), bin_width),
                .g = {},
                .particles = read_transport(folder),
-               .cost = seconds / (plan.melt.molecules * summary.at("dt").get<double>() *
-                                  summary.at("steps").get<double>()),
-               .seconds = seconds};
+               .cost = seconds / (plan.melt.molecules * whole),
+               .seconds = seconds * sampled / whole};
   kept.g = structure_difference(kept.g_particles, of_melt.g_molecules);
   add_state(kept, plan.melt.star.atoms(), read_json(directory / "melt/summary.json"),
             read_json(directory / "exchange/exchange.json"), summary);

@@ -22,7 +22,7 @@ struct KeptRun {
   StructureDifference g;
   TransportResult particles;
   double cost = 0;    ///< processor time for a particle and unit of time [s]
-  double seconds = 0; ///< processor time of the run
+  double seconds = 0; ///< processor time of what is sampled
 };
 
 /// What the stages have measured of the molecules, and what each run has kept of it.

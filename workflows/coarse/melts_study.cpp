@@ -67,11 +67,12 @@ Table own_models(Json const& rows) {
 
 Table other_models(Json const& rows) {
   Table table{.header = header("melt, model"),
-              .caption = "The same with the model that was found at another density."};
+              .caption = "The same with the model that was found in another melt."};
   for (auto const& row : rows)
     for (auto const& run : row.at("runs"))
       if (auto const model = run.value("model", ""); !model.empty()) {
-        auto const of = std::filesystem::path(model).parent_path().parent_path().filename().string();
+        auto const folder = std::filesystem::path(model).parent_path();
+        auto const of = folder.filename() == "model" ? folder.parent_path().filename().string() : model;
         table.rows.push_back(cells(name_of(row) + ", model of " + of, row, run));
       }
   return table;
@@ -164,8 +165,8 @@ Report study_report(MeltsStudy const& study, Json const& summary) {
       fmt::format("{} melts, each measured, coarsened and run by one command. Each has a report of its own.",
                   rows.size());
   Section all{"What is kept", {over_densities(study, rows), own_models(rows)}};
-  if (study.transfer && study.densities.size() > 1)
-    all.content.emplace_back(other_models(rows));
+  if (auto table = other_models(rows); !table.rows.empty())
+    all.content.emplace_back(std::move(table));
   Files files;
   for (auto const& row : rows)
     files.entries.push_back(

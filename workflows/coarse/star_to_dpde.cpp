@@ -63,6 +63,15 @@ StarToDpdePlan star_to_dpde_plan(std::string const& preset, std::uint64_t seed) 
   return plan;
 }
 
+double range_of(std::filesystem::path const& file) {
+  auto const model = fitting::parse_particle_model(read_text_file(file), file.string());
+  double range = 0;
+  for (auto const* columns : {&model.potential, &model.friction})
+    if (auto const r = columns->find("r"); r != columns->end() && !r->second.empty())
+      range = std::max(range, r->second.back());
+  return range;
+}
+
 std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
                                    std::vector<std::filesystem::path> const& other_models) {
   require(!time_steps.empty(), "time steps of the coarse run", time_steps.size(), "must be one or several");
@@ -70,18 +79,24 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
   for (double const dt : std::span(time_steps).subspan(1))
     runs.push_back({.name = fmt::format("run-dt-{}", dt), .dt = dt});
   for (auto const& model : other_models) {
-    auto const text = read_text_file(model);
-    fitting::parse_particle_model(text, model.string());
-    runs.push_back({.name = fmt::format("run-{}-{}", model.stem().string(), sha256(text).substr(0, 8)),
+    double const range = range_of(model);
+    auto const hash = sha256(read_text_file(model)).substr(0, 8);
+    runs.push_back({.name = fmt::format("run-{}-{}", model.stem().string(), hash),
                     .dt = time_steps.front(),
-                    .model = std::filesystem::absolute(model)});
+                    .model = std::filesystem::absolute(model),
+                    .range = range});
   }
   return runs;
 }
 
 std::int64_t held_steps_at(double rho, std::int64_t steps) {
   auto const every = md::HeldBlobsSettings().sample_every;
-  return rho >= 0.3 || rho <= 0 ? steps : every * std::llround(double(steps) * 0.3 / rho / double(every));
+  double const longer = std::clamp(0.3 / rho, 1.0, 10.0);
+  return every * std::llround(double(steps) * longer / double(every));
+}
+
+std::int64_t sample_every_at(double rho, std::int64_t usual) {
+  return rho > 0.4 ? std::min<std::int64_t>(usual, 10) : usual;
 }
 
 void check(StarToDpdePlan const& plan) {
@@ -166,11 +181,10 @@ std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path 
   return stages;
 }
 
-int least_across(StarToDpdePlan const& plan, std::filesystem::path const& model) {
-  constexpr double with_skin = 1.2;
-  auto const& r = fitting::parse_particle_model(read_text_file(model), model.string()).potential.at("r");
+int least_across(StarToDpdePlan const& plan, double range) {
+  constexpr double skin = 0.4; // of the lists, in distances between molecules
   double const spacing = std::cbrt(plan.melt.star.atoms() / plan.melt.rho);
-  return int(std::ceil(2 * with_skin * r.back() / spacing));
+  return int(std::ceil(2 * (range / spacing + skin)));
 }
 
 std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory,

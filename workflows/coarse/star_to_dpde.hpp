@@ -10,6 +10,7 @@ struct CoarseRun {
   std::string name = "run"; ///< its folder
   double dt = 0.05;
   std::filesystem::path model = {}; ///< another melt's model; empty: the one that is found here
+  double range = 0;                 ///< of that model's pairs
 
   std::string scene() const { return name == "run" ? "scene.toml" : "scene-" + name + ".toml"; }
 };
@@ -41,6 +42,9 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
 /// melt, the later its velocities change, which is when friction is read.
 std::int64_t held_steps_at(double rho, std::int64_t steps);
 
+/// Steps between frames, as many as usual or fewer in melts above 0.4, where internal energies pass on fast.
+std::int64_t sample_every_at(double rho, std::int64_t usual);
+
 /// Throws InputError that names what makes no sense.
 void check(StarToDpdePlan const& plan);
 
@@ -50,8 +54,11 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
 /// Those that make the runs, two for each, which come after; `directory` has their scenes.
 std::vector<Stage> run_stages(StarToDpdePlan const& plan, std::filesystem::path const& directory);
 
-/// The least molecules across a box for the pairs of a model's potential, with room for lists of neighbours.
-int least_across(StarToDpdePlan const& plan, std::filesystem::path const& model);
+/// The range of a model's potential and friction. Throws InputError that names a file that is no model.
+double range_of(std::filesystem::path const& model);
+
+/// The least molecules across a box for pairs of that range, with room for lists of neighbours.
+int least_across(StarToDpdePlan const& plan, double range);
 
 /// What drives a piston into both fluids, whose T is that of the model; `directory` has the scene of the
 /// particles, shock/scene.toml. Needs plan.v_P.

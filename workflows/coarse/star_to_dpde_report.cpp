@@ -147,6 +147,9 @@ Report star_to_dpde_report(StarToDpdePlan const& plan, std::filesystem::path con
       "measured in the melt; the run shows what they keep of it. It costs {} times less than the molecules.",
       number_text(plan.melt.rho, 4), number_text(kept.speed_up(kept.own()), 2));
   report.verdicts = verdicts_of(kept);
+  if (has_resumed(directory / "stages.json"))
+    report.warnings.emplace_back(
+        "Some stages were interrupted: processor times and what follows from them are of their last calls.");
   report.sections = {{"What is kept", {kept_table(kept), structure_figure(kept)}},
                      beside_section(kept.own().particles, kept.molecules),
                      {"What two particles do to each other", {laws_figure(directory)}},

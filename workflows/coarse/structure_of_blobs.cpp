@@ -66,8 +66,7 @@ double usual_cutoff(cg::RadialBins const& bins, bool at_pressure) {
   std::size_t last = bins.g.size();
   while (last > 8 && std::abs(bins.g[last - 1] - 1) < 0.02)
     --last;
-  if (at_pressure)
-    last = std::max(last, std::min(last * 13 / 10, bins.g.size() * 4 / 5));
+  last = std::min(at_pressure ? last * 13 / 10 : last, bins.g.size() * 4 / 5);
   return double(last) * bins.width;
 }
 

@@ -19,7 +19,8 @@ CoarseStructure structure_of(BlobFileHead const& head, std::vector<Box> const& b
 double kT_of(BlobData const& data);
 
 /// Beyond which g stays within 0.02 of one; for a potential that is to keep the pressure 1.3 times as far,
-/// but at most 0.8 of the bins, since a tail that g hardly feels needs the room.
+/// since a tail that g hardly feels needs the room. At most 0.8 of the bins, beside which lists of neighbours
+/// have their skin.
 double usual_cutoff(cg::RadialBins const& bins, bool at_pressure);
 
 } // namespace mesobridge::workflows

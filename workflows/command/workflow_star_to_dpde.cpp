@@ -9,6 +9,7 @@
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
+#include <set>
 
 namespace mesobridge::workflows {
 namespace {
@@ -34,8 +35,9 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
     melt.rho = options.densities.front();
   melt.T = options.T.value_or(melt.T);
   melt.molecules = options.molecules.value_or(melt.molecules);
-  melt.sample_every = options.sample_every.value_or(melt.sample_every);
+  melt.sample_every = options.sample_every.value_or(sample_every_at(melt.rho, melt.sample_every));
   melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
+  md::check(melt);
   plan.configurations = options.configurations.value_or(plan.configurations);
   plan.held_steps = options.held_steps.value_or(held_steps_at(melt.rho, plan.held_steps));
   plan.run_time = options.run_time.value_or(plan.run_time);
@@ -60,24 +62,38 @@ double temperature_of(std::filesystem::path const& model) {
   return state->T;
 }
 
-/// Writes the scene of a stage, whose product from another scene does not count.
-void write_scene(std::filesystem::path const& file, std::string const& text,
-                 std::filesystem::path const& product) {
+/// Leaves out the models of other melts whose pairs do not fit into the box.
+void leave_out_wide_models(StarToDpdePlan& plan, Context const& context) {
+  double const side = std::round(std::cbrt(double(plan.melt.molecules)));
+  std::erase_if(plan.runs, [&](CoarseRun const& run) {
+    int const least = run.model.empty() ? 0 : least_across(plan, run.range);
+    bool const wide = least > side;
+    if (wide)
+      context.log->warn(
+          "'{}' is left out: its pairs reach over {:.4g}, for which the box must be {} molecules wide; "
+          "take more --molecules",
+          run.model.string(), run.range, least);
+    return wide;
+  });
+}
+
+/// Writes the scene of a stage; what the stage has made of another scene does not count.
+void write_scene(std::filesystem::path const& file, std::string const& text, Stage const& stage) {
   if (std::filesystem::exists(file) && read_text_file(file) == text)
     return;
   std::filesystem::create_directories(file.parent_path());
-  std::filesystem::remove(product);
+  std::filesystem::remove(stage.product), std::filesystem::remove(stage.begun);
   write_text_file(file, text);
 }
 
 /// Drives a piston into both fluids, after all else, and tells what comes of it.
 void add_shocks(StarToDpdePlan plan, std::filesystem::path const& directory, double T,
                 std::vector<Stage> stages, Context const& context, Json& summary, Report& report) {
-  auto const least = least_across(plan, directory / "model" / (plan.melt.star.name() + "-melt.toml"));
-  plan.shock_across = std::max(plan.shock_across, least);
+  auto const model = directory / "model" / (plan.melt.star.name() + "-melt.toml");
+  plan.shock_across = std::max(plan.shock_across, least_across(plan, range_of(model)));
   auto const more = shock_stages(plan, directory, T);
   write_scene(directory / "shock/scene.toml", shock_scene(plan, T, summary.at("P_dpde").get<double>()),
-              more.back().product);
+              more.back());
   stages.insert(stages.end(), more.begin(), more.end());
   make_stages(stages, directory / "stages.json", context);
   auto const shocks = read_shocks(plan, directory);
@@ -88,13 +104,14 @@ void add_shocks(StarToDpdePlan plan, std::filesystem::path const& directory, dou
 Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path const& directory,
                 Context const& context) {
   std::uint64_t const seed = context.options.seed.value_or(1);
-  auto const plan = plan_of(options, seed);
+  auto plan = plan_of(options, seed);
+  leave_out_wide_models(plan, context);
   auto stages = model_stages(plan, directory);
   make_stages(stages, directory / "stages.json", context);
   double const T = temperature_of(stages.back().product);
   auto const later = run_stages(plan, directory);
   for (std::size_t k = 0; k < plan.runs.size(); ++k) // of two stages each
-    write_scene(directory / plan.runs[k].scene(), coarse_scene(plan, plan.runs[k], T), later[2 * k].product);
+    write_scene(directory / plan.runs[k].scene(), coarse_scene(plan, plan.runs[k], T), later[2 * k]);
   stages.insert(stages.end(), later.begin(), later.end());
   make_stages(stages, directory / "stages.json", context);
   auto const kept = read_kept(plan, directory, context);
@@ -102,8 +119,10 @@ Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path 
   report.provenance = {context.command_line(), seed, coarse_scene(plan, plan.runs.front(), T), {}};
   auto summary = star_to_dpde_summary(plan, kept);
   summary["preset"] = options.preset;
-  if (plan.v_P)
+  if (plan.v_P) {
+    with_report(directory, summary, report.html()); // whatever comes of the shocks
     add_shocks(plan, directory, T, stages, context, summary, report);
+  }
   return with_report(directory, std::move(summary), report.html());
 }
 
@@ -138,8 +157,11 @@ Result several_melts(WorkflowStarToDpdeOptions const& options, std::filesystem::
     study.stars = {usual.star.name()};
   if (study.densities.empty())
     study.densities = {usual.rho};
+  std::set<std::string> folders;
   for (auto const& star : study.stars)
     for (double const rho : study.densities) { // before anything is run
+      require(folders.insert(melt_folder(star, rho)).second, "melt", melt_folder(star, rho),
+              "must be named once");
       auto one = options;
       one.stars = {star}, one.densities = {rho};
       plan_of(one, seed);
@@ -154,7 +176,7 @@ Result several_melts(WorkflowStarToDpdeOptions const& options, std::filesystem::
 
 Result star_to_dpde(WorkflowStarToDpdeOptions const& options, Context const& context) {
   bool const several = options.stars.size() > 1 || options.densities.size() > 1;
-  require(several || !options.transfer, "--transfer", "", "needs several --rho");
+  require(options.densities.size() > 1 || !options.transfer, "--transfer", "", "needs several --rho");
   auto const directory = context.output_directory("out/star-to-dpde");
   FolderLock const lock(directory, context.command_line());
   return several ? several_melts(options, directory, context) : one_melt(options, directory, context);
@@ -171,9 +193,9 @@ void declare(CLI::App& app, WorkflowStarToDpdeOptions& options) {
   app.add_option("--T", options.T, "Temperature of the thermostat (default 1)");
   app.add_option("--molecules", options.molecules, "Stars, and coarse particles; a cube such as 216");
   app.add_option("--sampling-steps", options.sampling_steps, "Steps of the melt at constant energy");
-  app.add_option(
-      "--sample-every", options.sample_every,
-      "Steps between its frames, as long as a tenth of the decay of internal energies at most (default 25)");
+  app.add_option("--sample-every", options.sample_every,
+                 "Steps between its frames, as long as a tenth of the decay of internal energies at most "
+                 "(default 25, 10 above 0.4)");
   app.add_option("--configurations", options.configurations, "Of held centres");
   app.add_option("--held-steps", options.held_steps,
                  "Steps that each of them is held (default: 10000, more in melts below 0.3)");
