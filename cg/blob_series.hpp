@@ -8,12 +8,13 @@ namespace mesobridge::cg {
 /// The blobs of a run at equal intervals: number frame * molecules + molecule. Reduced units, k_B = 1.
 struct BlobSeries {
   std::size_t molecules = 0;
-  int atoms = 0;   ///< of a molecule
-  double mass = 0; ///< of a molecule
-  std::vector<double> times;
-  std::vector<Box> boxes;
-  std::vector<Vec3> R, P;
-  std::vector<double> U, U_kin;
+  int atoms = 0;           ///< of a molecule
+  double mass = 0;         ///< of a molecule
+  bool free_atoms = false; ///< no constraint holds them: the motion of all tells the temperature
+  std::vector<double> times = {};
+  std::vector<Box> boxes = {};
+  std::vector<Vec3> R = {}, P = {};
+  std::vector<double> U = {}, U_kin = {};
 
   std::size_t frames() const { return times.size(); }
   double interval() const { return (times.back() - times.front()) / double(times.size() - 1); }

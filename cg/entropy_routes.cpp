@@ -27,21 +27,26 @@ EnergySamples melt_samples(BlobSeries const& melt) {
                    taus_in_block * tau * double(fewest_blocks));
   auto const blocks = time_blocks(melt.frames(), std::min(most_blocks, std::size_t(possible)));
   EnergySamples samples{.beta = 0, .U = {}, .U_kin = {}, .beta_without = {}};
-  std::vector<double> P2, count;
+  double const freedoms = 3 * (melt.free_atoms ? melt.atoms : 1);
+  std::vector<double> kT, count; // sums over the molecules of each block
   for (auto const& [first, last] : blocks) {
     auto const begin = std::ptrdiff_t(first * molecules), end = std::ptrdiff_t(last * molecules);
     samples.U.emplace_back(melt.U.begin() + begin, melt.U.begin() + end);
     samples.U_kin.emplace_back(melt.U_kin.begin() + begin, melt.U_kin.begin() + end);
-    P2.push_back(std::accumulate(melt.P.begin() + begin, melt.P.begin() + end, 0.0,
-                                 [](double sum, Vec3 const& p) { return sum + norm2(p) / 3; }));
+    double twice =
+        2 * std::accumulate(melt.P.begin() + begin, melt.P.begin() + end, 0.0,
+                            [&](double sum, Vec3 const& p) { return sum + norm2(p) / (2 * melt.mass); });
+    if (melt.free_atoms)
+      twice += 2 * std::accumulate(samples.U_kin.back().begin(), samples.U_kin.back().end(), 0.0);
+    kT.push_back(twice / freedoms);
     count.push_back(double(end - begin));
   }
-  double const all_P2 = std::accumulate(P2.begin(), P2.end(), 0.0),
-               all = std::accumulate(count.begin(), count.end(), 0.0);
-  double const mass = melt.mass * (1 - 1 / double(molecules)); // the total momentum is zero
-  samples.beta = mass * all / all_P2;
+  double const all_kT = std::accumulate(kT.begin(), kT.end(), 0.0),
+               all = std::accumulate(count.begin(), count.end(), 0.0),
+               own = 1 - 3 / (freedoms * double(molecules)); // the total momentum is zero
+  samples.beta = own * all / all_kT;
   for (std::size_t block = 0; block < blocks.size(); ++block)
-    samples.beta_without.push_back(mass * (all - count[block]) / (all_P2 - P2[block]));
+    samples.beta_without.push_back(own * (all - count[block]) / (all_kT - kT[block]));
   return samples;
 }
 

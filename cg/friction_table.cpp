@@ -1,10 +1,9 @@
 #include "cg/friction_table.hpp"
+#include "cg/cubic_splines.hpp"
 #include "cg/nonnegative_squares.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <gsl/gsl_bspline.h>
-#include <memory>
 #include <numeric>
 
 namespace mesobridge::cg {
@@ -19,29 +18,18 @@ constexpr std::size_t points_of_a_bin = 5;
 class Splines {
  public:
   Splines(double first, double cutoff, double knots)
-      : workspace_(gsl_bspline_alloc(4, breaks(cutoff - first, knots)), gsl_bspline_free),
-        values_(gsl_vector_alloc(gsl_bspline_ncoeffs(workspace_.get())), gsl_vector_free), first_(first),
-        cutoff_(cutoff) {
-    gsl_bspline_knots_uniform(first, cutoff, workspace_.get());
-  }
-  std::size_t size() const { return values_->size - 3; }
+      : all_(first, cutoff, std::max<std::size_t>(2, std::size_t(std::lround((cutoff - first) / knots)))) {}
+  std::size_t size() const { return all_.size() - 3; }
   /// All at r; before the first point as there.
   std::vector<double> operator()(double r) const {
-    gsl_bspline_eval(std::clamp(r, first_, cutoff_), values_.get(), workspace_.get());
-    double const* const all = values_->data;
-    std::vector<double> values(all + 1, all + 1 + size());
+    auto const all = all_(r);
+    std::vector<double> values(all.begin() + 1, all.begin() + 1 + std::ptrdiff_t(size()));
     values[0] += all[0];
     return values;
   }
 
  private:
-  static std::size_t breaks(double length, double knots) {
-    return std::max<std::size_t>(2, std::size_t(std::lround(length / knots))) + 1;
-  }
-
-  std::unique_ptr<gsl_bspline_workspace, decltype(&gsl_bspline_free)> workspace_;
-  std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> values_;
-  double first_, cutoff_;
+  CubicSplines all_;
 };
 
 /// The least squares of one of the two frictions: the splines' means over each bin's pairs.

@@ -1,8 +1,8 @@
 #include "cg/inverse_boltzmann.hpp"
+#include "cg/cubic_splines.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <gsl/gsl_bspline.h>
 #include <gsl/gsl_multifit.h>
 #include <memory>
 #include <numbers>
@@ -27,17 +27,16 @@ std::vector<double> smoothed(std::vector<double> const& y, std::vector<double> c
   std::size_t const n = y.size(), most = n / 2 + 1,
                     breaks = std::clamp<std::size_t>(std::size_t(std::lround(double(n) * width / knots)) + 1,
                                                      2, most);
-  Owned<gsl_bspline_workspace, gsl_bspline_free> const spline(gsl_bspline_alloc(4, breaks));
-  gsl_bspline_knots_uniform(0, double(n), spline.get());
-  std::size_t const order = gsl_bspline_ncoeffs(spline.get());
+  CubicSplines const spline(0, double(n), breaks - 1);
+  std::size_t const order = spline.size();
   Owned<gsl_matrix, gsl_matrix_free> const X(gsl_matrix_alloc(n, order)),
       covariance(gsl_matrix_alloc(order, order));
   Owned<gsl_vector, gsl_vector_free> const values(gsl_vector_alloc(n)), weights(gsl_vector_alloc(n)),
-      coefficients(gsl_vector_alloc(order)), basis(gsl_vector_alloc(order));
+      coefficients(gsl_vector_alloc(order));
   for (std::size_t k = 0; k < n; ++k) {
-    gsl_bspline_eval(double(k) + 0.5, basis.get(), spline.get());
+    auto const basis = spline(double(k) + 0.5);
     for (std::size_t j = 0; j < order; ++j)
-      gsl_matrix_set(X.get(), k, j, gsl_vector_get(basis.get(), j));
+      gsl_matrix_set(X.get(), k, j, basis[j]);
     gsl_vector_set(values.get(), k, y[k]), gsl_vector_set(weights.get(), k, w[k]);
   }
   Owned<gsl_multifit_linear_workspace, gsl_multifit_linear_free> const fit(
@@ -145,19 +144,46 @@ PairPotential inverted(PairPotential const& before, RadialBins const& target, Ra
   return finished(std::move(after), first);
 }
 
-PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
-                                 double excess, double kT) {
-  double const r_c = before.cutoff();
+namespace {
+
+/// The pressure that A (1 - r/r_c) adds, over A.
+double pressure_of_ramp(PairPotential const& potential, RadialBins const& now, double density) {
   double moment = 0;
-  for (std::size_t k = 0; k < before.u.size(); ++k)
-    moment += std::pow(before.r(k), 3) * now.g[k] * before.width;
-  double const most = 0.1 * kT,
-               A = std::clamp(-excess * r_c / (2 * std::numbers::pi / 3 * density * density * moment), -most,
-                              most);
+  for (std::size_t k = 0; k < potential.u.size(); ++k)
+    moment += std::pow(potential.r(k), 3) * now.g[k] * potential.width;
+  return 2 * std::numbers::pi / 3 * density * density * moment / potential.cutoff();
+}
+
+} // namespace
+
+double pressure_change(PairPotential const& before, PairPotential const& after, RadialBins const& now,
+                       double density) {
+  std::size_t const n = before.u.size();
+  auto const change = [&](std::size_t k) { // odd about the cut-off, where it is zero
+    return k < n ? after.u[k] - before.u[k] : before.u[n - 1] - after.u[n - 1];
+  };
+  double virial = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    virial += std::pow(before.r(k), 3) * now.g[k] * (change(k + 1) - change(k == 0 ? 0 : k - 1)) / 2;
+  return -2 * std::numbers::pi / 3 * density * density * virial;
+}
+
+PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
+                                 double excess, double most) {
+  double const A = std::clamp(-excess / pressure_of_ramp(before, now, density), -most, most);
   auto after = before;
   for (std::size_t k = 0; k < after.u.size(); ++k)
-    after.u[k] += A * (1 - after.r(k) / r_c);
+    after.u[k] += A * (1 - after.r(k) / before.cutoff());
   return after;
+}
+
+PairPotential inverted_at_pressure(PairPotential const& before, RadialBins const& target,
+                                   RadialBins const& now, InversionSettings const& settings, double density,
+                                   double excess) {
+  auto const after = inverted(before, target, now, settings);
+  double const change = pressure_change(before, after, now, density),
+               undone = std::abs(change / pressure_of_ramp(before, now, density));
+  return with_less_pressure(after, now, density, excess + change, undone + 0.3 * settings.kT);
 }
 
 std::vector<double> direct_correlation(RadialBins const& bins, double density, double least_S) {

@@ -37,10 +37,21 @@ PairPotential boltzmann_potential(RadialBins const& target, InversionSettings co
 PairPotential inverted(PairPotential const& before, RadialBins const& target, RadialBins const& now,
                        InversionSettings const& settings);
 
-/// Adds A (1 - r/r_c), which takes `excess` of the pressure away while g stays, but for |A| <= 0.1 kT (Eq.
-/// (C22)). `density`: particles per volume.
+/// What a change of the potential makes of the virial pressure while g stays. `density`: particles per
+/// volume.
+double pressure_change(PairPotential const& before, PairPotential const& after, RadialBins const& now,
+                       double density);
+
+/// Adds A (1 - r/r_c), which takes `excess` of the pressure away while g stays, but for |A| <= most (Eq.
+/// (C22)).
 PairPotential with_less_pressure(PairPotential const& before, RadialBins const& now, double density,
-                                 double excess, double kT);
+                                 double excess, double most);
+
+/// The next potential to try: `inverted`, and such an A that the pressure loses its `excess` in all; A may
+/// undo what the inversion does to the pressure, and 0.3 kT besides.
+PairPotential inverted_at_pressure(PairPotential const& before, RadialBins const& target,
+                                   RadialBins const& now, InversionSettings const& settings, double density,
+                                   double excess);
 
 /// The direct correlation function of Ornstein and Zernike's equation at the middles of the bins, which must
 /// reach to where g is 1 (Eq. (C23)). `least_S`: what structure factors below it, noise, count as; > 0 where

@@ -101,11 +101,14 @@ double TabulatedHeatCapacity::entropy(double T) const {
   return S_[k] + entropy_in(k, T - T_[k]);
 }
 
+double TabulatedHeatCapacity::capacity_in(std::size_t k, double x) const {
+  auto const [a, b, c, d] = cubic_[k];
+  return a + x * (b + x * (c + x * d));
+}
+
 double TabulatedHeatCapacity::heat_capacity(double T) const {
   std::size_t const k = interval(T);
-  auto const [a, b, c, d] = cubic_[k];
-  double const x = T - T_[k];
-  return a + x * (b + x * (c + x * d));
+  return capacity_in(k, T - T_[k]);
 }
 
 double TabulatedHeatCapacity::heat_capacity_slope(double T) const {
@@ -121,11 +124,13 @@ double TabulatedHeatCapacity::temperature(double eps, double T_guess) const {
   double low = T_[k], high = T_[k + 1], T = std::clamp(T_guess, low, high);
   constexpr int enough = 100; // bisections alone would need 60
   for (int step = 0; step < enough; ++step) {
-    double const error = eps_[k] + energy_in(k, T - T_[k]) - eps;
+    double const x = T - T_[k], error = eps_[k] + energy_in(k, x) - eps;
     (error > 0 ? high : low) = T;
-    double const newton = T - error / heat_capacity(T);
-    double const next = newton > low && newton < high ? newton : 0.5 * (low + high);
-    bool const done = std::abs(next - T) <= 4e-16 * T;
+    double const newton = T - error / capacity_in(k, x);
+    bool const inside = newton > low && newton < high;
+    double const next = inside ? newton : 0.5 * (low + high);
+    // Newton's steps square the error: after one of 1e-9 nothing is left.
+    bool const done = std::abs(next - T) <= (inside ? 1e-9 : 4e-16) * T;
     T = next;
     if (done)
       break;

@@ -53,6 +53,7 @@ class TabulatedHeatCapacity {
     double c_0, c_1, c_2, c_3;
   };
   std::size_t interval(double T) const;
+  double capacity_in(std::size_t k, double x) const;
   double energy_in(std::size_t k, double x) const;
   double entropy_in(std::size_t k, double x) const;
 

@@ -135,18 +135,12 @@ std::string LjFluidSettings::description() const {
 
 LjFluidSettings lj_fluid_settings(Preset preset) {
   LjFluidSettings settings;
-  if (preset == Preset::standard) {
-    settings.atoms = 864;
-    settings.cutoff = 4.0;
-    settings.equilibration_steps = 3000;
+  if (preset == Preset::standard)
+    settings.atoms = 864, settings.cutoff = 4.0, settings.equilibration_steps = 3000,
     settings.sampling_steps = 40000;
-  } else if (preset == Preset::paper) {
-    settings.atoms = 4000;
-    settings.cutoff = 4.0;
-    settings.melt_steps = 2000;
-    settings.equilibration_steps = 10000;
-    settings.sampling_steps = 200000;
-  }
+  else if (preset == Preset::paper)
+    settings.atoms = 4000, settings.cutoff = 4.0, settings.melt_steps = 2000,
+    settings.equilibration_steps = 10000, settings.sampling_steps = 200000;
   return settings;
 }
 

@@ -54,6 +54,17 @@ struct MeltProtocol {
   std::filesystem::path log_file, restart_file;
 };
 
+/// What settings of melts say alike; the rest is left to the caller.
+template <class Settings>
+MeltProtocol protocol_of_run(Settings const& s) {
+  MeltProtocol protocol;
+  protocol.squeeze = s.squeeze, protocol.squeeze_steps = s.squeeze_steps, protocol.seed = s.seed;
+  protocol.equilibration_steps = s.equilibration_steps, protocol.sampling_steps = s.sampling_steps;
+  protocol.sample_every = s.sample_every, protocol.checkpoint_every = s.checkpoint_every;
+  protocol.log_file = s.log_file(), protocol.restart_file = s.restart_file();
+  return protocol;
+}
+
 /// Throws InputError where steps and thermostat make no sense, whatever the units are.
 void check_run(MeltProtocol const& protocol);
 

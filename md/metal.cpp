@@ -184,16 +184,11 @@ std::string MetalSettings::description() const {
 
 MetalSettings metal_settings(Preset preset, MetalPotential const& potential) {
   MetalSettings settings{.potential = potential, .lattice = potential.lattice};
-  if (preset == Preset::standard) {
-    settings.least_atoms = 864;
-    settings.equilibration_steps = 4000;
-    settings.sampling_steps = 60000;
-  } else if (preset == Preset::paper) {
-    settings.least_atoms = 4000;
-    settings.melt_steps = 5000;
-    settings.equilibration_steps = 10000;
+  if (preset == Preset::standard)
+    settings.least_atoms = 864, settings.equilibration_steps = 4000, settings.sampling_steps = 60000;
+  else if (preset == Preset::paper)
+    settings.least_atoms = 4000, settings.melt_steps = 5000, settings.equilibration_steps = 10000,
     settings.sampling_steps = 100000;
-  }
   return settings;
 }
 

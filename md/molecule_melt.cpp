@@ -24,22 +24,14 @@ double usual(std::optional<double> const& given, double UsualRun::*value, std::s
 }
 
 MeltProtocol protocol_of(MoleculeMeltSettings const& s, MoleculeSystem const& system) {
-  auto const& molecules = system.molecules;
-  double const dt = usual(s.dt, &UsualRun::dt, system.units, "--dt");
   constexpr double steps_of_memory = 1000;
-  return {.rho = s.rho.value_or(double(molecules.q.size()) / molecules.box.volume()),
-          .T = usual(s.T, &UsualRun::T, system.units, "--T"),
-          .friction = s.friction.value_or(1 / (steps_of_memory * dt)),
-          .dt = dt,
-          .squeeze = s.squeeze,
-          .squeeze_steps = s.squeeze_steps,
-          .equilibration_steps = s.equilibration_steps,
-          .sampling_steps = s.sampling_steps,
-          .sample_every = s.sample_every,
-          .checkpoint_every = s.checkpoint_every,
-          .seed = s.seed,
-          .log_file = s.log_file(),
-          .restart_file = s.restart_file()};
+  auto const& molecules = system.molecules;
+  auto protocol = protocol_of_run(s);
+  protocol.rho = s.rho.value_or(double(molecules.q.size()) / molecules.box.volume());
+  protocol.T = usual(s.T, &UsualRun::T, system.units, "--T");
+  protocol.dt = usual(s.dt, &UsualRun::dt, system.units, "--dt");
+  protocol.friction = s.friction.value_or(1 / (steps_of_memory * protocol.dt));
+  return protocol;
 }
 
 MoleculeSystem system_of(MoleculeMeltSettings const& s) {

@@ -1,5 +1,6 @@
 #include "md/piston_drive.hpp"
 #include "md/canonical_run.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,6 +14,30 @@ constexpr std::array<std::pair<char const*, char const*>, 5> sums{{{"number", "v
                                                                    {"along", "v_along"},
                                                                    {"zz", "c_virial[3]"}}};
 
+/// Of a molecule's centre of mass, all atoms of equal mass.
+struct CentreMotion {
+  double z = 0;
+  Vec3 v;
+};
+
+/// On all ranks, from the atoms of each.
+std::vector<CentreMotion> motion_of_molecules(MpiWorld const& world, LammpsSession& lammps,
+                                              std::size_t molecules, int atoms_per_molecule) {
+  std::vector<double> sums(4 * molecules);
+  auto const atoms = lammps.owned_atoms("");
+  for (std::size_t i = 0; i < atoms.ids.size(); ++i) {
+    auto const m = 4 * std::size_t((atoms.ids[i] - 1) / atoms_per_molecule);
+    auto const& v = atoms.v[i];
+    sums[m] += atoms.q[i].z, sums[m + 1] += v.x, sums[m + 2] += v.y, sums[m + 3] += v.z;
+  }
+  world.add_up(sums);
+  std::vector<CentreMotion> motion;
+  for (std::size_t m = 0; m < sums.size(); m += 4)
+    motion.push_back({sums[m] / atoms_per_molecule,
+                      1.0 / atoms_per_molecule * Vec3{sums[m + 1], sums[m + 2], sums[m + 3]}});
+  return motion;
+}
+
 } // namespace
 
 std::int64_t steps_to_far_end(double length, double spacing, double v_S, double dt) {
@@ -21,9 +46,11 @@ std::int64_t steps_to_far_end(double length, double spacing, double v_S, double 
 }
 
 bool PistonDrive::settle(std::int64_t steps) {
-  lammps_.command("run 0 post no");
+  // One run for fixes that follow the time from its start to its end.
+  auto const times = fmt::format("start {} stop {}", lammps_.step(), lammps_.step() + steps);
+  lammps_.command("run 0 post no {}", times);
   return run_in_pieces(
-      steps, [&](std::int64_t n) { lammps_.command("run {} pre no post no", n); },
+      steps, [&](std::int64_t n) { lammps_.command("run {} pre no post no {}", n, times); },
       [&](std::int64_t n) { return told(n); });
 }
 
@@ -50,7 +77,8 @@ void PistonDrive::declare_slices() {
   std::string columns; // what is printed is tallied in the step
   for (auto const& [name, summed] : sums)
     columns += fmt::format(" c_{}[1]", name);
-  lammps_.command("thermo_style custom step temp{}", columns);
+  lammps_.command("thermo_style custom step temp pe ke etotal{}", columns);
+  lammps_.command("thermo_modify norm no");
   lammps_.command("thermo {}", box_.sample_every);
 }
 
@@ -62,6 +90,8 @@ bool PistonDrive::drive(std::int64_t steps, std::string const& what) {
     auto const slices = slices_at(done, what);
     if (!asked([&] { return !consumers_.slices || consumers_.slices(slices); }) || !told(box_.sample_every))
       return false;
+    if (has_arrived(slices))
+      return true;
   }
   return true;
 }
@@ -90,7 +120,38 @@ PistonSlices PistonDrive::slices_at(std::int64_t step, std::string const& what) 
           fmt::format("{} became unstable at step {} with the time step {}", what, step, box_.dt));
   }
   now.number = number;
+  now.energy = lammps_.thermo("etotal");
+  if (box_.atoms_per_molecule > 0)
+    now.molecules = molecules_at();
   return now;
+}
+
+MoleculeSlices PistonDrive::molecules_at() {
+  auto const n = box_.atoms_per_molecule;
+  auto const slices = std::size_t(box_.slices);
+  auto const molecules = std::size_t(lammps_.atoms()) / std::size_t(n);
+  auto const motion = motion_of_molecules(world_, lammps_, molecules, n);
+  MoleculeSlices now{.number = std::vector<double>(slices),
+                     .velocity = std::vector<double>(slices),
+                     .T = std::vector<double>(slices)};
+  for (auto const& [z, v] : motion) {
+    auto const s = std::size_t(std::clamp(z / box_.length * box_.slices, 0.0, box_.slices - 1.0));
+    ++now.number[s], now.velocity[s] += v.z, now.T[s] += v.x * v.x + v.y * v.y;
+  }
+  double const kT = units_.mass * n * units_.energy_of_mv2 / units_.boltzmann / 2;
+  for (std::size_t s = 0; s < slices; ++s)
+    if (now.number[s] > 0)
+      now.velocity[s] /= now.number[s], now.T[s] *= kT / now.number[s];
+  return now;
+}
+
+bool PistonDrive::has_arrived(PistonSlices const& now) const {
+  if (!box_.end)
+    return false;
+  double n = 0, momentum = 0;
+  for (auto s = std::size_t(*box_.end / box_.length * box_.slices); s < now.number.size(); ++s)
+    n += now.number[s], momentum += now.number[s] * now.velocity[s];
+  return momentum > n * box_.v_P / 2;
 }
 
 bool PistonDrive::told(std::int64_t steps) {

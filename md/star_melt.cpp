@@ -27,19 +27,9 @@ double beads_of(StarMeltSettings const& settings) {
 }
 
 MeltProtocol protocol_of(StarMeltSettings const& s) {
-  return {.rho = s.rho,
-          .T = s.T,
-          .friction = s.friction,
-          .dt = s.dt,
-          .squeeze = s.squeeze,
-          .squeeze_steps = s.squeeze_steps,
-          .equilibration_steps = s.equilibration_steps,
-          .sampling_steps = s.sampling_steps,
-          .sample_every = s.sample_every,
-          .checkpoint_every = s.checkpoint_every,
-          .seed = s.seed,
-          .log_file = s.log_file(),
-          .restart_file = s.restart_file()};
+  auto protocol = protocol_of_run(s);
+  protocol.rho = s.rho, protocol.T = s.T, protocol.friction = s.friction, protocol.dt = s.dt;
+  return protocol;
 }
 
 double first_density_of(StarMeltSettings const& settings) {

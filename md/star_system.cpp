@@ -22,8 +22,8 @@ void write_data_file(StarLattice const& lattice, std::filesystem::path const& fi
   auto out = fmt::output_file(file.string());
   out.print("stars\n\n{} atoms\n{} bonds\n1 atom types\n2 bond types\n", lattice.molecules * n,
             std::size_t(lattice.molecules) * bonds.size());
-  out.print("0 {0} xlo xhi\n0 {0} ylo yhi\n0 {0} zlo zhi\n\nMasses\n\n1 1\n\nAtoms # bond\n\n",
-            lattice.edge());
+  out.print("0 {0} xlo xhi\n0 {0} ylo yhi\n0 {1} zlo zhi\n\nMasses\n\n1 1\n\nAtoms # bond\n\n",
+            lattice.edge(), lattice.cells_along() * lattice.spacing);
   for (int m = 0; m < lattice.molecules; ++m) {
     Vec3 const centre = lattice.spacing * Vec3{m % cells + 0.5, (m / cells) % cells + 0.5,
                                                std::floor(double(m) / cells / cells) + 0.5};
@@ -54,7 +54,12 @@ bool tells_of_instability(std::string_view text) {
 } // namespace
 
 int StarLattice::cells() const {
-  return int(std::ceil(std::cbrt(molecules) - 1e-9));
+  return across.value_or(int(std::ceil(std::cbrt(molecules) - 1e-9)));
+}
+
+int StarLattice::cells_along() const {
+  int const layer = cells() * cells();
+  return across ? (molecules + layer - 1) / layer : cells();
 }
 
 double StarLattice::edge() const {

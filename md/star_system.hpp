@@ -4,19 +4,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 namespace mesobridge::md {
 
-/// Many equal stars on a simple cubic lattice in a cubic box, each turned at random. LAMMPS's atom ids are
-/// molecule * atoms + 1 + number in the star.
+/// Many equal stars on a simple cubic lattice, each turned at random, in a box of which it fills all cells
+/// but some at the end. LAMMPS's atom ids are molecule * atoms + 1 + number in the star.
 struct StarLattice {
   StarPolymer star;
   int molecules = 1000;
-  double spacing = 0; ///< [sigma], at least widest_spacing of straight stars
+  double spacing = 0; ///< [sigma], at least touching_free_spacing
   std::uint64_t seed = 1;
+  std::optional<int> across = {}; ///< cells along x and y; if not given, as many as along z
 
-  int cells() const;   ///< along each edge
-  double edge() const; ///< of the box
+  int cells() const;       ///< along x and y
+  int cells_along() const; ///< along z
+  double edge() const;     ///< of the box along x and y
 };
 
 /// The lattice spacing at which straight stars cannot touch, however they are turned.

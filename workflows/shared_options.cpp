@@ -1,4 +1,5 @@
 #include "workflows/shared_options.hpp"
+#include "md/molecule_forces.hpp"
 
 namespace mesobridge::workflows {
 
@@ -26,6 +27,19 @@ void add_restarts(CLI::App& app, std::int64_t& checkpoint_every, bool& resume, b
   app.add_option("--checkpoint-every", checkpoint_every, "Steps between checkpoints");
   app.add_flag("--resume", resume, "Go on from the checkpoint in the output folder");
   add_started_by_ourselves(app, started_by_ourselves);
+}
+
+void add_molecule_files(CLI::App& app, std::filesystem::path& data, std::filesystem::path& forces,
+                        md::MoleculeStyles& styles) {
+  app.add_option("data", data, "LAMMPS data file of equal molecules")->required()->type_name("FILE");
+  app.add_option("--settings", forces, "Their force field as LAMMPS's commands: pair_style, bond_coeff ...")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--units", styles.units, "LAMMPS's unit style (default: the settings' or lj)")
+      ->type_name("NAME");
+  app.add_option("--atom-style", styles.atom_style,
+                 "bond, angle, molecular or full (default: what the files say)")
+      ->type_name("NAME");
 }
 
 void add_choice(CLI::App& app, std::string const& name, std::string& value,

@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+namespace mesobridge::md {
+struct MoleculeStyles;
+}
+
 namespace mesobridge::workflows {
 
 /// Options that several commands have. The values that they go to live as long as the parser.
@@ -16,6 +20,10 @@ void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set)
 
 /// A file of blobs.
 void add_blob_file(CLI::App& app, std::filesystem::path& file);
+
+/// LAMMPS's data file of equal molecules, its commands for their force field, and styles that neither names.
+void add_molecule_files(CLI::App& app, std::filesystem::path& data, std::filesystem::path& forces,
+                        md::MoleculeStyles& styles);
 
 /// Not for users: run_on_ranks says by it that another process tells the result.
 void add_started_by_ourselves(CLI::App& app, bool& started_by_ourselves);

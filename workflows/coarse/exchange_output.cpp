@@ -14,7 +14,7 @@ void add_point(Series& series, double x, cg::Estimate const& y) {
 Figure decay_figure(cg::EnergyExchange const& found) {
   Plot plot{
       .name = "decay", .title = "Internal energy of one molecule", .x = {.label = "t"}, .panels = {Panel{}}};
-  Series own{.label = "", .x = {}, .y = {}, .y_error = {}};
+  Series own{.label = ""};
   for (std::size_t lag = 0; lag < found.lag.size(); ++lag)
     add_point(own, found.lag[lag], found.own[lag]);
   plot.panels[0].series = {own};
@@ -29,7 +29,7 @@ Figure passing_figure(cg::EnergyExchange const& found) {
             .panels = {Panel{}}};
   std::size_t const step = std::max<std::size_t>(1, found.bins.size() / 6);
   for (std::size_t k = 0; k < found.bins.size(); k += step) {
-    Series bin{.label = fmt::format("r = {:.2f}", found.bins[k].r), .x = {}, .y = {}, .y_error = {}};
+    Series bin{.label = fmt::format("r = {:.2f}", found.bins[k].r)};
     for (std::size_t lag = 0; lag < found.lag.size(); ++lag)
       add_point(bin, found.lag[lag], found.bins[k].together[lag]);
     plot.panels[0].series.push_back(std::move(bin));
@@ -46,8 +46,10 @@ Figure passing_figure(cg::EnergyExchange const& found) {
 Figure conduction_figure(cg::EnergyExchange const& found, std::vector<ConductionRow> const& rows,
                          cg::ConductionTable const& table) {
   Plot plot{.name = "conduction", .title = "Weight of conduction", .x = {.label = "r"}, .panels = {Panel{}}};
-  Series flow{.label = "flow of energy", .x = {}, .y = {}, .y_error = {}},
-      kappa{.label = "κ: the same and what friction takes", .x = {}, .y = {}, .y_error = {}};
+  Series flow{
+      .label = "flow of energy",
+  },
+      kappa{.label = "κ: the same and what friction takes"};
   for (auto const& bin : found.bins)
     add_point(flow, bin.r, bin.flow);
   for (auto const& row : rows)

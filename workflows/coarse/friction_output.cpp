@@ -1,4 +1,5 @@
 #include "workflows/coarse/friction_output.hpp"
+#include "workflows/coarse/plot_parts.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
 #include "workflows/summary.hpp"
@@ -8,24 +9,8 @@
 namespace mesobridge::workflows {
 namespace {
 
-Series estimates(std::string label, std::vector<double> const& x, std::vector<cg::Estimate> const& y,
-                 SeriesStyle style, int colour) {
-  Series series{.label = std::move(label), .x = x, .y = {}, .y_error = {}, .style = style, .colour = colour};
-  for (auto const& at : y)
-    series.y.push_back(at.mean), series.y_error.push_back(at.se);
-  return series;
-}
-
-Plot one_panel(std::string name, std::string title, std::string x, std::string y) {
-  Plot plot{
-      .name = std::move(name), .title = std::move(title), .x = {.label = std::move(x)}, .panels = {Panel{}}};
-  plot.panels[0].y.label = std::move(y);
-  plot.panels[0].level_lines = {0};
-  return plot;
-}
-
 Figure integrals_figure(cg::PairFriction const& found) {
-  auto self = one_panel("self", "Friction of a molecule", "t", "(1/k_BT) ∫_0^t <F F>");
+  auto self = one_panel("self", "Friction of a molecule", "t", "(1/k_BT) ∫_0^t <F F>", {0});
   auto& panel = self.panels[0];
   panel.series = {estimates("up to t", found.lag, found.self_integral, SeriesStyle::points, 0),
                   {.label = "at the plateau",
@@ -34,7 +19,8 @@ Figure integrals_figure(cg::PairFriction const& found) {
                    .y_error = {found.self.se, found.self.se},
                    .style = SeriesStyle::band,
                    .colour = 1}};
-  auto pairs = one_panel("pairs", "Friction of pairs along their line", "t", "−(1/k_BT) ∫_0^t <F_μ F_ν>");
+  auto pairs =
+      one_panel("pairs", "Friction of pairs along their line", "t", "−(1/k_BT) ∫_0^t <F_μ F_ν>", {0});
   std::size_t const all = found.bins.size();
   int colour = 0;
   for (std::size_t const bin : {all / 5, all / 3, all / 2, all - 1})
@@ -48,7 +34,7 @@ Figure integrals_figure(cg::PairFriction const& found) {
 }
 
 Figure correlation_figure(cg::PairFriction const& found) {
-  auto plot = one_panel("correlation", "Memory of the forces", "t", "<F(t) F(0)>/<F^2>");
+  auto plot = one_panel("correlation", "Memory of the forces", "t", "<F(t) F(0)>/<F^2>", {0});
   plot.panels[0].series = {estimates("", found.lag, found.correlation, SeriesStyle::points, 0)};
   return {{draw_svg(plot)},
           fmt::format("Of a molecule whose centre is held, less the mean over time. Its integral is {:.3g}.",
@@ -67,8 +53,8 @@ Figure friction_figure(cg::PairFriction const& found) {
   for (auto const& bin : found.bins)
     r.push_back(bin.r);
   auto const& table = found.table;
-  auto along = one_panel("along", "Along the line of centres", "r", "γ_∥"),
-       across = one_panel("across", "Across the line of centres", "r", "γ_⊥");
+  auto along = one_panel("along", "Along the line of centres", "r", "γ_∥", {0}),
+       across = one_panel("across", "Across the line of centres", "r", "γ_⊥", {0});
   auto const curve = [&](std::vector<double> const& y, std::vector<double> const& se) {
     return std::vector<Series>{
         {.label = "table", .x = table.r, .y = y, .y_error = se, .style = SeriesStyle::band, .colour = 1},
@@ -101,7 +87,7 @@ Table sums_table(cg::PairFriction const& found) {
 }
 
 Table bins_table(cg::PairFriction const& found) {
-  Table table{.header = {"r", "pairs", "γ∥", "γ⊥", "table γ∥", "table γ⊥"}, .rows = {}, .caption = ""};
+  Table table{.header = {"r", "pairs", "γ∥", "γ⊥", "table γ∥", "table γ⊥"}};
   for (auto const& bin : found.bins)
     table.rows.push_back({number_text(bin.r), number_text(bin.pairs, 6), with_error_text(bin.par),
                           with_error_text(bin.perp), number_text(found.table.par_at(bin.r), 4),

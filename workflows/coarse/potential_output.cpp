@@ -29,7 +29,7 @@ Series shown_potential(std::string label, cg::PairPotential const& potential, do
 }
 
 Table trials_table(CoarseStructure const& structure, std::vector<PotentialTrial> const& trials) {
-  Table table{.header = {"trial", "difference of g(r)", "P"}, .rows = {}, .caption = ""};
+  Table table{.header = {"trial", "difference of g(r)", "P"}};
   for (std::size_t k = 0; k < trials.size(); ++k)
     table.rows.push_back(
         {std::to_string(k + 1), number_text(trials[k].difference, 3), with_error_text(trials[k].P)});
@@ -77,8 +77,7 @@ std::string potential_text(CoarseStructure const& structure, std::vector<Potenti
 Report potential_report(CoarseStructure const& structure, std::vector<PotentialTrial> const& trials,
                         std::string const& name, std::string const& units) {
   auto const& found = best(trials);
-  Plot u{.name = "potential", .title = "Pair potential", .x = {.label = "r"}, .panels = {Panel{}}};
-  u.panels[0].y.label = "u/k_BT";
+  auto u = one_panel("potential", "Pair potential", "r", "u/k_BT");
   auto const in_kT = [&](cg::PairPotential potential) {
     for (double& value : potential.u)
       value /= structure.kT;
@@ -88,9 +87,7 @@ Report potential_report(CoarseStructure const& structure, std::vector<PotentialT
       shown_potential("found", in_kT(found.potential), 15, SeriesStyle::lines),
       shown_potential("first: of mean force", in_kT(trials.front().potential), 15, SeriesStyle::dashes)};
   u.panels[0].level_lines = {0};
-  Plot g{.name = "structure", .title = "Radial distribution", .x = {.label = "r"}, .panels = {Panel{}}};
-  g.panels[0].y.label = "g(r)";
-  g.panels[0].level_lines = {1};
+  auto g = one_panel("structure", "Radial distribution", "r", "g(r)", {1});
   g.panels[0].series = {
       line("molecules", structure.g.width, structure.g.g, SeriesStyle::points),
       line("particles", found.g.width, found.g.g),

@@ -95,10 +95,9 @@ std::vector<PotentialTrial> search_potential(CoarseStructure const& structure, P
     done(k + 1);
     if (now.distance < search.enough || without_gain == most_without_gain)
       break;
-    potential = cg::inverted(potential, structure.g, now.g, search.inversion);
-    if (structure.P)
-      potential = cg::with_less_pressure(potential, now.g, structure.density, now.P.mean - *structure.P,
-                                         structure.kT);
+    potential = structure.P ? cg::inverted_at_pressure(potential, structure.g, now.g, search.inversion,
+                                                       structure.density, now.P.mean - *structure.P)
+                            : cg::inverted(potential, structure.g, now.g, search.inversion);
   }
   return trials;
 }

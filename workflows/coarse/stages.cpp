@@ -42,29 +42,41 @@ FarmedRun run_of(Stage const& stage, bool goes_on, Context const& context) {
     run.argv.emplace_back("--resume");
   else
     run.argv.insert(run.argv.end(), stage.afresh.begin(), stage.afresh.end());
-  if (auto const threads = context.options.threads; threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
+  if (auto const threads = context.options.threads;
+      threads && std::ranges::find(run.argv, "--threads") == run.argv.end())
     run.argv.insert(run.argv.end(), {"--threads", std::to_string(*threads)});
   run.argv.emplace_back("--quiet");
   return run;
 }
 
-/// Makes stages that do not need each other; their lines with the seconds that they took.
-Json make(std::span<Stage const> stages, Json const& begun, Context const& context) {
+/// Makes stages that do not need each other; appends their lines to `done` with the seconds that they took,
+/// and whether they went on after an interruption, so that the seconds are not of the whole. Of those that
+/// are interrupted, the first that have ended are kept.
+void make(std::span<Stage const> stages, Json const& begun, Json& all_done, Context const& context) {
   Json done = Json::array();
   std::vector<FarmedRun> runs;
   for (auto const& stage : stages) {
     auto const line = line_of(stage);
     bool const goes_on = std::ranges::any_of(begun, [&](Json const& one) { return one == line; });
-    done.push_back({{"line", line}, {"seconds", 0.0}});
+    done.push_back({{"line", line}, {"seconds", -1.0}, {"resumed", goes_on}});
     runs.push_back(run_of(stage, goes_on, context));
     runs.back().ended = [&done, k = done.size() - 1](double seconds) { done[k]["seconds"] = seconds; };
   }
-  farm(stages.front().title, std::move(runs), ranks_of(context), context);
+  auto const keep_ended = [&] {
+    for (std::size_t k = 0; k < stages.size() && done[k]["seconds"] >= 0; ++k)
+      all_done.push_back(done[k]);
+  };
+  try {
+    farm(stages.front().title, std::move(runs), ranks_of(context), context);
+  } catch (...) {
+    keep_ended();
+    throw;
+  }
   for (auto const& stage : stages)
     if (!std::filesystem::exists(stage.product))
       throw EnvironmentError(
           fmt::format("'{}' has ended without '{}'", line_of(stage), stage.product.string()));
-  return done;
+  keep_ended();
 }
 
 } // namespace
@@ -84,6 +96,11 @@ std::map<std::string, double> stage_seconds(std::filesystem::path const& journal
   return seconds;
 }
 
+bool has_resumed(std::filesystem::path const& journal) {
+  auto const left = read_journal(journal);
+  return std::ranges::any_of(left["done"], [](Json const& stage) { return stage.value("resumed", false); });
+}
+
 void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& journal,
                  Context const& context) {
   auto left = read_journal(journal);
@@ -93,7 +110,8 @@ void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& 
          done[first].value("line", "") == line_of(stages[first]) &&
          std::filesystem::exists(stages[first].product))
     ++first;
-  done.erase(done.begin() + std::ptrdiff_t(first), done.end());
+  if (first < stages.size()) // what comes after them in the journal is then of a later list that begins so
+    done.erase(done.begin() + std::ptrdiff_t(first), done.end());
   for (std::size_t end = first; first < stages.size(); first = end) {
     for (end = first + 1; end < stages.size() && stages[end - 1].beside_next;)
       ++end;
@@ -102,8 +120,12 @@ void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& 
     for (auto const& stage : now)
       left["begun"].push_back(line_of(stage));
     write_summary(journal, left);
-    for (auto& stage : make(now, begun, context))
-      done.push_back(std::move(stage));
+    try {
+      make(now, begun, done, context);
+    } catch (...) {
+      write_summary(journal, left);
+      throw;
+    }
     left["begun"] = Json::array();
   }
   write_summary(journal, left);

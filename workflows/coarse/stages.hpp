@@ -21,10 +21,13 @@ std::string line_of(Stage const& stage);
 /// the file is no journal.
 std::map<std::string, double> stage_seconds(std::filesystem::path const& journal);
 
+/// Whether some of them went on after an interruption, so that its seconds are not those of the whole.
+bool has_resumed(std::filesystem::path const& journal);
+
 /// Makes those of the stages that are not there yet, each as a process of its own, one after the other or
 /// several at once, and notes in `journal` what is done and what is begun; one that was interrupted goes on.
 /// From the first stage that is called otherwise than the journal says, or whose product is not there, all
-/// are made anew. Throws as farm.
+/// are made anew, those of a longer list that the journal has, too. Throws as farm.
 void make_stages(std::vector<Stage> const& stages, std::filesystem::path const& journal,
                  Context const& context);
 

@@ -23,29 +23,38 @@ double kT_of(BlobData const& data) {
       sum += norm2(data.P[k * N + m] - together);
   }
   require(sum > 0 && N > 1, "motion of the molecules", sum, "they must move, or they have no temperature");
-  return sum / (3 * data.head.mass * double(N - 1) * double(data.frames()));
+  double const frames = double(data.frames()), of_centres = sum / data.head.mass;
+  if (data.head.T == 0) // a trajectory, whose atoms may be held together by constraints
+    return of_centres / (3 * double(N - 1) * frames);
+  double const inside = 2 * std::accumulate(data.U_kin.begin(), data.U_kin.end(), 0.0);
+  return (of_centres + inside) / (3 * (double(N) * data.head.atoms - 1) * frames);
+}
+
+CoarseStructure structure_of(BlobFileHead const& head, std::vector<Box> const& boxes,
+                             std::vector<Vec3> const& R, double kT, double width) {
+  auto const N = std::size_t(head.molecules);
+  require(head.rho > 0, "blobs", head.kind, "must be those of a melt or a trajectory");
+  require(N >= 8 && !boxes.empty(), "molecules", N, "at least 8 are needed for a structure");
+  auto const& box = boxes.front();
+  double const reach = 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z});
+  require(width > 0 && width < reach / 8, "bin width", width,
+          fmt::format("must be above 0 and below {:g}", reach / 8));
+  for (auto const& other : boxes)
+    require(norm2(other.edge - box.edge) < 1e-18 * norm2(box.edge), "box", norm(other.edge),
+            "must be the same in all frames");
+  auto const bins = std::size_t(reach / width);
+  sdpd::RadialDistribution found(box, reach, bins);
+  std::size_t const stride = std::max<std::size_t>(1, boxes.size() / most_frames_seen);
+  for (std::size_t k = 0; k < boxes.size(); k += stride)
+    found.add({R.data() + k * N, N});
+  return {.density = double(N) / box.volume(),
+          .mass = head.mass,
+          .kT = kT,
+          .g = {reach / double(bins), found.g()}};
 }
 
 CoarseStructure structure_of(BlobData const& data, double width) {
-  auto const N = std::size_t(data.head.molecules);
-  require(data.head.rho > 0, "blobs", data.head.kind, "must be those of a melt or a trajectory");
-  require(N >= 8 && data.frames() >= 1, "molecules", N, "at least 8 are needed for a structure");
-  auto const& box = data.boxes.front();
-  double const R = 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z});
-  require(width > 0 && width < R / 8, "bin width", width,
-          fmt::format("must be above 0 and below {:g}", R / 8));
-  for (auto const& other : data.boxes)
-    require(norm2(other.edge - box.edge) < 1e-18 * norm2(box.edge), "box", norm(other.edge),
-            "must be the same in all frames");
-  auto const bins = std::size_t(R / width);
-  sdpd::RadialDistribution found(box, R, bins);
-  std::size_t const stride = std::max<std::size_t>(1, data.frames() / most_frames_seen);
-  for (std::size_t k = 0; k < data.frames(); k += stride)
-    found.add({data.R.data() + k * N, N});
-  CoarseStructure structure{.density = double(N) / box.volume(),
-                            .mass = data.head.mass,
-                            .kT = kT_of(data),
-                            .g = {R / double(bins), found.g()}};
+  auto structure = structure_of(data.head, data.boxes, data.R, kT_of(data), width);
   // Trajectories say no pressure, and their blobs have 0 in its place.
   if (std::ranges::any_of(data.pressures, [](double P) { return P != 0; }))
     structure.P =
@@ -53,10 +62,11 @@ CoarseStructure structure_of(BlobData const& data, double width) {
   return structure;
 }
 
-double usual_cutoff(cg::RadialBins const& bins) {
+double usual_cutoff(cg::RadialBins const& bins, bool at_pressure) {
   std::size_t last = bins.g.size();
   while (last > 8 && std::abs(bins.g[last - 1] - 1) < 0.02)
     --last;
+  last = std::min(at_pressure ? last * 13 / 10 : last, bins.g.size() * 4 / 5);
   return double(last) * bins.width;
 }
 

@@ -108,8 +108,6 @@ void declare(CLI::App& app, BenchBlobsOptions& options) {
 
 } // namespace
 
-Command::Action bench_blobs_command(CLI::App& app) {
-  return with_options<BenchBlobsOptions>(app, declare, bench_blobs);
-}
+extern Declaration const bench_blobs_command = with_options<BenchBlobsOptions, declare, bench_blobs>;
 
 } // namespace mesobridge::workflows

@@ -123,7 +123,7 @@ Result run_detonation(BenchEngineOptions options, int threads) {
           .text = detonation_times_text(rows)};
 }
 
-Result run(BenchEngineOptions const& options, Context& context) {
+Result run(BenchEngineOptions const& options, Context const& context) {
   int const threads = context.options.threads.value_or(1);
   if (options.faces)
     return run_faces(options, threads);
@@ -198,8 +198,6 @@ void declare(CLI::App& app, BenchEngineOptions& options) {
 
 } // namespace
 
-Command::Action bench_engine_command(CLI::App& app) {
-  return with_options<BenchEngineOptions>(app, declare, run);
-}
+extern Declaration const bench_engine_command = with_options<BenchEngineOptions, declare, run>;
 
 } // namespace mesobridge::workflows

@@ -211,8 +211,6 @@ void declare(CLI::App& app, BenchEosOptions& options) {
 
 } // namespace
 
-Command::Action bench_eos_command(CLI::App& app) {
-  return with_options<BenchEosOptions>(app, declare, run);
-}
+extern Declaration const bench_eos_command = with_options<BenchEosOptions, declare, run>;
 
 } // namespace mesobridge::workflows

@@ -5,11 +5,13 @@
 #include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/energy_check.hpp"
+#include "workflows/star/force_check.hpp"
 #include "workflows/star/mapping_file.hpp"
 #include "workflows/star/trajectory_file.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <numeric>
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {
@@ -44,7 +46,13 @@ void unfold(cg::Blob& blob, cg::MoleculeModel const& model, std::span<Vec3 const
     blob.R.z = R.z;
 }
 
-cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame, Box const& box) {
+/// Forces inside a molecule are none on the whole.
+Vec3 sum_of(std::span<Vec3 const> forces) {
+  return std::accumulate(forces.begin(), forces.end(), Vec3{});
+}
+
+cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame, Box const& box,
+                       ForceCheck& check) {
   cg::BlobFrame result{.step = frame.step, .time = frame.time.value_or(0), .box = box, .blobs = {}};
   auto const n = std::size_t(maker.model().atoms());
   auto const others = cg::intermolecular(maker.model(), frame.q, box);
@@ -54,6 +62,10 @@ cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame, Box c
     unfold(blob, maker.model(), q, frame.periodic);
     blob.Phi = others.Phi[m];
     blob.F = others.F[m];
+    if (!frame.f.empty()) {
+      blob.F = sum_of(std::span(frame.f).subspan(m * n, n));
+      check.add(blob.F, others.F[m]);
+    }
     result.blobs.push_back(blob);
   }
   for (std::size_t m = 0; m < result.blobs.size(); ++m)
@@ -117,7 +129,7 @@ class Conversion {
   Conversion(CgBlobsOptions const& options, Context const& context)
       : options_(options), context_(context), mapping_(read_mapping(options.mapping)), maker_(mapping_.model),
         path_(context.output_directory("out/blobs") / "blobs.h5"), clock_(options.time_step),
-        energies_(maker_.model()), reach_(longest_cutoff(mapping_.model)) {
+        energies_(maker_.model()), forces_(maker_.model()), reach_(longest_cutoff(mapping_.model)) {
     std::error_code none;
     if (std::filesystem::equivalent(options.trajectory, path_, none))
       throw InputError(fmt::format("'{}' would be replaced by its own blobs: choose another folder with -o",
@@ -156,10 +168,14 @@ class Conversion {
   void take(TrajectoryFrame const& frame) {
     throw_if_interrupted();
     auto const box = frame.image_box(reach_);
-    std::vector<cg::BlobFrame> one{blobs_of(maker_, frame, box)};
+    std::vector<cg::BlobFrame> one{blobs_of(maker_, frame, box, forces_)};
     one[0].time = clock_.time(frame);
     if (!file_)
       begin(frame, one[0].blobs.size());
+    if (frame.f.empty() == has_forces_)
+      throw InputError(fmt::format("'{}' has forces (fx fy fz) in some frames only: step {} {} them",
+                                   options_.trajectory.string(), frame.step,
+                                   has_forces_ ? "is without" : "has"));
     if (one[0].blobs.size() != molecules_ || walls_of(frame) != walls_)
       throw InputError(
           fmt::format("'{}' has {} molecules and walls along '{}' at step {}, {} and '{}' before",
@@ -171,7 +187,7 @@ class Conversion {
   }
 
   void begin(TrajectoryFrame const& frame, std::size_t molecules) {
-    molecules_ = molecules, walls_ = walls_of(frame);
+    molecules_ = molecules, walls_ = walls_of(frame), has_forces_ = !frame.f.empty();
     if (clock_.counts_steps())
       warn("the trajectory says no times and --dt is not given: times are numbers of steps");
     BlobFileHead const head{.kind = "melt",
@@ -182,7 +198,6 @@ class Conversion {
                             .mass = mapping_.model.mass(),
                             .rho = double(frame.q.size()) / frame.box.volume(),
                             .T = 0,
-                            .set = {},
                             .units = mapping_.units.name,
                             .walls = walls_,
                             .time_unit = clock_.counts_steps() ? "steps" : ""};
@@ -201,14 +216,16 @@ class Conversion {
   }
 
   Result result() {
-    for (auto const& warning : energies_.warnings())
-      warn(warning);
+    for (auto const& warnings : {energies_.warnings(), forces_.warnings()})
+      for (auto const& warning : warnings)
+        warn(warning);
     Result result;
     result.json = {
         {"file", path_.string()}, {"molecules", molecules_},
         {"frames", frames_},      {"units", mapping_.units.name},
         {"walls", walls_},        {"time_unit", clock_.counts_steps() ? "steps" : mapping_.units.name}};
     energies_.put(result.json);
+    forces_.put(result.json);
     result.json["warnings"] = warnings_;
     write_summary(path_.parent_path() / "blobs.json", result.json);
     result.text = fmt::format("{} molecules in {} frames: {}", molecules_, frames_, path_.string());
@@ -222,9 +239,11 @@ class Conversion {
   std::filesystem::path path_;
   Clock clock_;
   EnergyCheck energies_;
+  ForceCheck forces_;
   double reach_;
   std::optional<BlobFile> file_;
   std::size_t frames_ = 0, molecules_ = 0;
+  bool has_forces_ = false;
   std::string walls_;
   std::vector<std::string> warnings_;
 };
@@ -237,7 +256,8 @@ Result blobs(CgBlobsOptions const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, CgBlobsOptions& options) {
-  app.add_option("file", options.trajectory, "LAMMPS text dump with velocities, or H5MD (.h5)")
+  app.add_option("file", options.trajectory,
+                 "LAMMPS text dump with velocities (forces fx fy fz are taken too), or H5MD (.h5)")
       ->required()
       ->type_name("FILE");
   app.add_option("--mapping", options.mapping,
@@ -252,8 +272,6 @@ void declare(CLI::App& app, CgBlobsOptions& options) {
 
 } // namespace
 
-Command::Action cg_blobs_command(CLI::App& app) {
-  return with_options<CgBlobsOptions>(app, declare, blobs);
-}
+extern Declaration const cg_blobs_command = with_options<CgBlobsOptions, declare, blobs>;
 
 } // namespace mesobridge::workflows

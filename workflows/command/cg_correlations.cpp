@@ -55,8 +55,6 @@ void declare(CLI::App& app, CgCorrelationsOptions& options) {
 
 } // namespace
 
-Command::Action cg_correlations_command(CLI::App& app) {
-  return with_options<CgCorrelationsOptions>(app, declare, correlations);
-}
+extern Declaration const cg_correlations_command = with_options<CgCorrelationsOptions, declare, correlations>;
 
 } // namespace mesobridge::workflows

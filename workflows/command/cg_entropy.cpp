@@ -55,8 +55,6 @@ void declare(CLI::App& app, CgEntropyOptions& options) {
 
 } // namespace
 
-Command::Action cg_entropy_command(CLI::App& app) {
-  return with_options<CgEntropyOptions>(app, declare, entropy);
-}
+extern Declaration const cg_entropy_command = with_options<CgEntropyOptions, declare, entropy>;
 
 } // namespace mesobridge::workflows

@@ -100,8 +100,6 @@ void declare(CLI::App& app, CgExchangeOptions& options) {
 
 } // namespace
 
-Command::Action cg_exchange_command(CLI::App& app) {
-  return with_options<CgExchangeOptions>(app, declare, exchange);
-}
+extern Declaration const cg_exchange_command = with_options<CgExchangeOptions, declare, exchange>;
 
 } // namespace mesobridge::workflows

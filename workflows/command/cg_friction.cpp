@@ -24,7 +24,7 @@ double velocity_decay(std::filesystem::path const& file) {
   auto const found =
       std::ranges::find(transport.numbers, "velocity_decay_time", [](auto const& of) { return of.first; });
   require(found != transport.numbers.end(), "--velocities", file.string(),
-          "holds no time in which velocities fall to 1/e: its frames were too far apart");
+          "holds no time in which velocities fall to 1/e: its frames were too far apart, or too few");
   return found->second.mean;
 }
 
@@ -92,8 +92,6 @@ void declare(CLI::App& app, CgFrictionOptions& options) {
 
 } // namespace
 
-Command::Action cg_friction_command(CLI::App& app) {
-  return with_options<CgFrictionOptions>(app, declare, friction);
-}
+extern Declaration const cg_friction_command = with_options<CgFrictionOptions, declare, friction>;
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,5 @@
 #include "workflows/command/options.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/star/force_field_mapping.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
@@ -31,22 +32,11 @@ Result write_mapping(CgMappingOptions const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, CgMappingOptions& options) {
-  app.add_option("data", options.data, "LAMMPS data file of equal molecules")->required()->type_name("FILE");
-  app.add_option("--settings", options.forces,
-                 "Their force field as LAMMPS's commands: pair_style, bond_coeff ...")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--units", options.styles.units, "LAMMPS's unit style (default: the settings' or lj)")
-      ->type_name("NAME");
-  app.add_option("--atom-style", options.styles.atom_style,
-                 "bond, angle, molecular or full (default: what the files say)")
-      ->type_name("NAME");
+  add_molecule_files(app, options.data, options.forces, options.styles);
 }
 
 } // namespace
 
-Command::Action cg_mapping_command(CLI::App& app) {
-  return with_options<CgMappingOptions>(app, declare, write_mapping);
-}
+extern Declaration const cg_mapping_command = with_options<CgMappingOptions, declare, write_mapping>;
 
 } // namespace mesobridge::workflows

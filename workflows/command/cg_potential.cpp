@@ -1,98 +1,101 @@
 #include "md/error.hpp"
+#include "workflows/coarse/potential_method.hpp"
 #include "workflows/coarse/potential_output.hpp"
-#include "workflows/coarse/structure_of_blobs.hpp"
 #include "workflows/command/options.hpp"
-#include "workflows/sdpd/settings.hpp"
-#include "workflows/shared_options.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
-#include <cmath>
+#include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
 
 struct CgPotentialOptions {
-  std::filesystem::path input;
-  double width = 0.2;
-  std::optional<double> cutoff;
+  PotentialWishes wishes;
   std::string method = "hnc";
-  bool pressure = false;
-  PotentialSearch search = {.inversion = {.share = 1}};
+  CLI::App const* parser = nullptr; ///< knows which options were given
 };
 
-/// The user's wishes, and what follows from the molecules.
-PotentialSearch search_of(CgPotentialOptions const& options, CoarseStructure const& structure,
-                          Context const& context) {
-  auto search = options.search;
-  auto& inversion = search.inversion;
-  inversion.kT = structure.kT;
-  inversion.cutoff = options.cutoff.value_or(usual_cutoff(structure.g));
-  inversion.knots = std::max(inversion.knots, 2 * structure.g.width);
-  if (options.method == "hnc")
-    inversion.density = structure.density;
-  double const reach = structure.g.width * double(structure.g.g.size());
-  search.lattice =
-      std::max(search.lattice, std::uint32_t(std::ceil(2 * reach * std::cbrt(structure.density))) + 1);
-  search.seed = context.options.seed.value_or(1),
-  search.threads = context.options.threads.value_or(available_threads());
-  return search;
+PotentialMethod const& method_of(CgPotentialOptions const& options) {
+  return *std::ranges::find(potential_methods(), options.method, &PotentialMethod::name);
+}
+
+/// Options that only other methods take.
+void refuse_others(CgPotentialOptions const& options) {
+  auto const& ours = method_of(options).options;
+  for (auto const& other : potential_methods())
+    for (auto const& name : other.options)
+      require(
+          options.parser->count(name) == 0 || std::ranges::find(ours, name) != ours.end(), name,
+          options.method,
+          fmt::format("has no use for it: it belongs to --method {} (--help tells the others)", other.name));
 }
 
 Result potential(CgPotentialOptions const& options, Context const& context) {
-  auto const data = read_blobs(options.input);
-  refuse_walls(data.head, options.input, "a potential");
-  check_search(options.search); // before any work
-  auto structure = structure_of(data, options.width);
-  auto const search = search_of(options, structure, context);
-  auto const P = structure.P;
-  require(P || !options.pressure, "--pressure", options.input.string(),
-          "holds no pressures, as blobs of a trajectory do not: it cannot be kept");
-  if (!options.pressure)
-    structure.P.reset(); // it is shown, not kept
-  auto progress = context.progress("Potential", 1);
-  auto const trials = search_potential(structure, search, [&](int done) {
-    progress.update(double(done) / search.iterations, fmt::format("trial {}", done));
-  });
-  progress.finish();
-  structure.P = P;
-  auto const folder = options.input.parent_path();
+  refuse_others(options);
+  auto const& wishes = options.wishes;
+  auto found = method_of(options).find(wishes, options.method, context);
+  auto const folder = wishes.input.parent_path();
   auto const directory = context.output_directory(folder.empty() ? "." : folder);
-  Provenance const provenance{
-      .command = context.command_line(), .seed = search.seed, .scene = "", .inputs = {options.input}};
+  Provenance provenance{.command = context.command_line(),
+                        .seed = context.options.seed.value_or(1),
+                        .scene = "",
+                        .inputs = {wishes.input}};
+  if (wishes.beside)
+    provenance.inputs.push_back(*wishes.beside);
   Result result;
-  result.json = potential_json(structure, trials);
+  result.json = std::move(found.json);
   result.json["method"] = options.method;
-  result.json["units"] = units_text(data.head);
+  result.json["units"] = units_text(found.head);
   result.json["provenance"] = provenance_json(provenance);
-  write_text_file(directory / "potential.csv", potential_csv(best(trials).potential));
+  write_text_file(directory / "potential.csv", potential_csv(found.potential));
   write_summary(directory / "potential.json", result.json);
-  auto report = potential_report(structure, trials, data.head.name, units_text(data.head));
-  report.provenance = provenance;
-  write_text_file(directory / "potential.html", report.html());
-  result.text = potential_text(structure, trials) + (directory / "potential.csv").string();
+  found.report.provenance = provenance;
+  write_text_file(directory / "potential.html", found.report.html());
+  result.text = found.text + (directory / "potential.csv").string();
   return result;
 }
 
+std::string methods_text() {
+  std::string text = "What is matched, and how: ";
+  for (auto const& method : potential_methods())
+    text += fmt::format("{}, {}; ", method.name, method.summary);
+  return text + "default hnc";
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (auto const& method : potential_methods())
+    names.push_back(method.name);
+  return names;
+}
+
 void declare(CLI::App& app, CgPotentialOptions& options) {
-  auto& search = options.search;
-  add_blob_file(app, options.input);
-  app.add_option("--cutoff", options.cutoff, "Of the potential (default: where g(r) is 1 within 0.02)");
-  app.add_option("--bin-width", options.width, "Of g(r) and the potential's rows (default 0.2)");
-  app.add_option("--method", options.method,
-                 "hnc, which counts neighbours' neighbours, or boltzmann (default hnc)")
-      ->check(CLI::IsMember({"hnc", "boltzmann"}));
+  options.parser = &app;
+  auto& wishes = options.wishes;
+  auto& search = wishes.search;
+  app.add_option("file", wishes.input,
+                 "What `md star-melt` or `cg blobs` wrote; for force-matching, `md held-blobs` too")
+      ->required()
+      ->type_name("FILE.h5");
+  app.add_option("--cutoff", wishes.cutoff,
+                 "Of the potential (default: where g(r) is 1 within 0.02, 1.3 times that with --pressure)");
+  app.add_option("--bin-width", wishes.width, "Of g(r) and the potential's rows (default 0.2)");
+  app.add_option("--method", options.method, methods_text())->check(CLI::IsMember(method_names()));
   app.add_option("--share", search.inversion.share, "Of the full change that an iteration makes (default 1)");
   app.add_option("--iterations", search.iterations, "At most (default 20)");
   app.add_option("--enough", search.enough,
                  "Difference of the structures, and of P, at which it ends (default 1e-5)");
   app.add_option("--steps", search.sample, "Sampled by each trial (default 3000)");
-  app.add_flag("--pressure", options.pressure, "Keep the molecules' pressure too, by a linear tail");
+  app.add_flag("--pressure", wishes.pressure, "Keep the molecules' pressure too, by a linear tail");
+  app.add_option("--knots", wishes.knots,
+                 "force-matching: most distance of the force's knots (default: two bins)");
+  app.add_option("--beside", wishes.beside, "force-matching: another potential, with columns r,u, to compare")
+      ->type_name("FILE.csv");
 }
 
 } // namespace
 
-Command::Action cg_potential_command(CLI::App& app) {
-  return with_options<CgPotentialOptions>(app, declare, potential);
-}
+extern Declaration const cg_potential_command = with_options<CgPotentialOptions, declare, potential>;
 
 } // namespace mesobridge::workflows

@@ -48,8 +48,6 @@ void declare(CLI::App& app, std::filesystem::path& input) {
 
 } // namespace
 
-Command::Action cg_state_grid_command(CLI::App& app) {
-  return with_options<std::filesystem::path>(app, declare, state_grid);
-}
+extern Declaration const cg_state_grid_command = with_options<std::filesystem::path, declare, state_grid>;
 
 } // namespace mesobridge::workflows

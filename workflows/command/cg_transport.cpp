@@ -123,8 +123,6 @@ void declare(CLI::App& app, CgTransportOptions& options) {
 
 } // namespace
 
-Command::Action cg_transport_command(CLI::App& app) {
-  return with_options<CgTransportOptions>(app, declare, transport);
-}
+extern Declaration const cg_transport_command = with_options<CgTransportOptions, declare, transport>;
 
 } // namespace mesobridge::workflows

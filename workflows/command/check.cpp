@@ -100,8 +100,6 @@ void declare(CLI::App& app, CheckOptions& options) {
 
 } // namespace
 
-Command::Action check_command(CLI::App& app) {
-  return with_options<CheckOptions>(app, declare, check);
-}
+extern Declaration const check_command = with_options<CheckOptions, declare, check>;
 
 } // namespace mesobridge::workflows

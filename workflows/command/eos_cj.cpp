@@ -61,8 +61,6 @@ void declare(CLI::App& app, DetonationOptions& options) {
 
 } // namespace
 
-Command::Action eos_cj_command(CLI::App& app) {
-  return with_options<DetonationOptions>(app, declare, chapman_jouguet);
-}
+extern Declaration const eos_cj_command = with_options<DetonationOptions, declare, chapman_jouguet>;
 
 } // namespace mesobridge::workflows

@@ -71,8 +71,6 @@ void declare(CLI::App& app, EosCrussardOptions& options) {
 
 } // namespace
 
-Command::Action eos_crussard_command(CLI::App& app) {
-  return with_options<EosCrussardOptions>(app, declare, crussard);
-}
+extern Declaration const eos_crussard_command = with_options<EosCrussardOptions, declare, crussard>;
 
 } // namespace mesobridge::workflows

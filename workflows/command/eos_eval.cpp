@@ -82,8 +82,6 @@ void declare(CLI::App& app, EosEvalOptions& options) {
 
 } // namespace
 
-Command::Action eos_eval_command(CLI::App& app) {
-  return with_options<EosEvalOptions>(app, declare, eval);
-}
+extern Declaration const eos_eval_command = with_options<EosEvalOptions, declare, eval>;
 
 } // namespace mesobridge::workflows

@@ -36,8 +36,6 @@ void declare(CLI::App& app, EosExplosionOptions& options) {
 
 } // namespace
 
-Command::Action eos_explosion_command(CLI::App& app) {
-  return with_options<EosExplosionOptions>(app, declare, explosion);
-}
+extern Declaration const eos_explosion_command = with_options<EosExplosionOptions, declare, explosion>;
 
 } // namespace mesobridge::workflows

@@ -67,8 +67,6 @@ void declare(CLI::App& app, EosHugoniotOptions& options) {
 
 } // namespace
 
-Command::Action eos_hugoniot_command(CLI::App& app) {
-  return with_options<EosHugoniotOptions>(app, declare, hugoniot);
-}
+extern Declaration const eos_hugoniot_command = with_options<EosHugoniotOptions, declare, hugoniot>;
 
 } // namespace mesobridge::workflows

@@ -73,8 +73,6 @@ void declare(CLI::App& app, EosInductionOptions& options) {
 
 } // namespace
 
-Command::Action eos_induction_command(CLI::App& app) {
-  return with_options<EosInductionOptions>(app, declare, induction);
-}
+extern Declaration const eos_induction_command = with_options<EosInductionOptions, declare, induction>;
 
 } // namespace mesobridge::workflows

@@ -85,8 +85,6 @@ void declare(CLI::App& app, EosIsentropeOptions& options) {
 
 } // namespace
 
-Command::Action eos_isentrope_command(CLI::App& app) {
-  return with_options<EosIsentropeOptions>(app, declare, isentrope);
-}
+extern Declaration const eos_isentrope_command = with_options<EosIsentropeOptions, declare, isentrope>;
 
 } // namespace mesobridge::workflows

@@ -60,11 +60,7 @@ std::vector<Series> curves_of(NamedFluid const& model, EosPlotOptions const& opt
 
 Plot eos_plot(std::vector<NamedFluid> const& models, EosPlotOptions const& options, Context const& context) {
   bool const reduced = models.front().reduced;
-  Plot plot{.name = "eos",
-            .title = "Equations of state",
-            .x = {.label = density_label(reduced)},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = pressure_label(reduced);
+  auto plot = one_panel("eos", "Equations of state", density_label(reduced), pressure_label(reduced));
   for (auto const& model : models) {
     require_same_units(models.front(), model);
     for (double const T : options.isotherms)
@@ -124,8 +120,6 @@ void declare(CLI::App& app, EosPlotOptions& options) {
 
 } // namespace
 
-Command::Action eos_plot_command(CLI::App& app) {
-  return with_options<EosPlotOptions>(app, declare, plot);
-}
+extern Declaration const eos_plot_command = with_options<EosPlotOptions, declare, plot>;
 
 } // namespace mesobridge::workflows

@@ -77,8 +77,6 @@ void declare(CLI::App& app, EosProfileOptions& options) {
 
 } // namespace
 
-Command::Action eos_profile_command(CLI::App& app) {
-  return with_options<EosProfileOptions>(app, declare, profile);
-}
+extern Declaration const eos_profile_command = with_options<EosProfileOptions, declare, profile>;
 
 } // namespace mesobridge::workflows

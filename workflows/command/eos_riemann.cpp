@@ -117,8 +117,6 @@ void declare(CLI::App& app, EosRiemannOptions& options) {
 
 } // namespace
 
-Command::Action eos_riemann_command(CLI::App& app) {
-  return with_options<EosRiemannOptions>(app, declare, riemann);
-}
+extern Declaration const eos_riemann_command = with_options<EosRiemannOptions, declare, riemann>;
 
 } // namespace mesobridge::workflows

@@ -115,8 +115,6 @@ void declare(CLI::App& app, EosTableOptions& options) {
 
 } // namespace
 
-Command::Action eos_table_command(CLI::App& app) {
-  return with_options<EosTableOptions>(app, declare, table);
-}
+extern Declaration const eos_table_command = with_options<EosTableOptions, declare, table>;
 
 } // namespace mesobridge::workflows

@@ -133,8 +133,6 @@ void declare(CLI::App& app, EosZndOptions& options) {
 
 } // namespace
 
-Command::Action eos_znd_command(CLI::App& app) {
-  return with_options<EosZndOptions>(app, declare, znd);
-}
+extern Declaration const eos_znd_command = with_options<EosZndOptions, declare, znd>;
 
 } // namespace mesobridge::workflows

@@ -20,7 +20,8 @@ struct FitDpdeOptions {
   std::string route;
   std::size_t order = 3;
   fitting::DpdeRange range;
-  std::optional<std::filesystem::path> potential, friction, conduction; ///< what two particles do to each other
+  std::optional<std::filesystem::path> potential, friction,
+      conduction; ///< what two particles do to each other
 };
 
 /// The tables that the user has, and the hashes of their files.
@@ -71,15 +72,14 @@ Result fit_dpde(FitDpdeOptions const& options, Context const& context) {
   auto const fit = fitting::fit_dpde(curve->fit, options.range);
   model.internal_energy = internal_energy_of(fit);
   model.data_hash = sha256_of_file(options.file);
-  model.provenance = {
-      {"program", fmt::format("mesobridge {}", version())},
-      {"git_commit", std::string(git_commit())},
-      {"command", context.command_line()},
-      {"data", options.file.filename().string()},
-      {"molecule", name},
-      {"route", route},
-      {"sampled_T",
-       fmt::format("{:.4g} ... {:.4g}; beyond, C is constant", fit.T_sampled_low, fit.T_sampled_high)}};
+  model.provenance = {{"program", fmt::format("mesobridge {}", version())},
+                      {"git_commit", std::string(git_commit())},
+                      {"command", context.command_line()},
+                      {"data", options.file.filename().string()},
+                      {"molecule", name},
+                      {"route", route},
+                      {"sampled_T", fmt::format("{:.4g} ... {:.4g}; beyond, C is constant", fit.T_sampled_low,
+                                                fit.T_sampled_high)}};
   put_tables(options, model);
   auto const directory = context.output_directory("out/dpde");
   auto const file = directory / fmt::format("{}-{}.toml", name, melt ? "melt" : "vacuum");
@@ -104,9 +104,11 @@ void declare(CLI::App& app, FitDpdeOptions& options) {
   app.add_option("--route", options.route, "density (ln P(U) + beta U) or kinetic (<1/E_kin>)")
       ->check(CLI::IsMember({"density", "kinetic"}));
   app.add_option("--order", options.order, "Terms of S(ln U), 1 ... 5 (default 3)");
-  app.add_option("--potential", options.potential, "Of two particles: CSV with columns r,u, from `cg potential`")
+  app.add_option("--potential", options.potential,
+                 "Of two particles: CSV with columns r,u, from `cg potential`")
       ->type_name("FILE.csv");
-  app.add_option("--friction", options.friction, "CSV with columns r,gamma_par,gamma_perp, from `cg friction`")
+  app.add_option("--friction", options.friction,
+                 "CSV with columns r,gamma_par,gamma_perp, from `cg friction`")
       ->type_name("FILE.csv");
   app.add_option("--conduction", options.conduction, "CSV with columns r,kappa")->type_name("FILE.csv");
   app.add_option("--T-min", options.range.T_min, "Lowest temperature of the model (default 0.05)");
@@ -115,8 +117,6 @@ void declare(CLI::App& app, FitDpdeOptions& options) {
 
 } // namespace
 
-Command::Action fit_dpde_command(CLI::App& app) {
-  return with_options<FitDpdeOptions>(app, declare, fit_dpde);
-}
+extern Declaration const fit_dpde_command = with_options<FitDpdeOptions, declare, fit_dpde>;
 
 } // namespace mesobridge::workflows

@@ -73,8 +73,6 @@ void declare(CLI::App& app, FitLjBwrOptions& options) {
 
 } // namespace
 
-Command::Action fit_lj_bwr_command(CLI::App& app) {
-  return with_options<FitLjBwrOptions>(app, declare, fit);
-}
+extern Declaration const fit_lj_bwr_command = with_options<FitLjBwrOptions, declare, fit>;
 
 } // namespace mesobridge::workflows

@@ -1,4 +1,5 @@
 #include "workflows/command/list.hpp"
+#include "workflows/command/options.hpp"
 #include "workflows/eos_fit/fit_command.hpp"
 #include <algorithm>
 
@@ -6,49 +7,49 @@ namespace mesobridge::workflows {
 
 // Each command is a file of this folder, which adds the command's own options to the parser and returns what
 // to do once they are parsed; it is declared here and nowhere else.
-Command::Action md_lj_grid_command(CLI::App&);
-Command::Action md_metal_grid_command(CLI::App&);
-Command::Action md_hugoniot_command(CLI::App&);
-Command::Action md_piston_shock_command(CLI::App&);
-Command::Action md_star_melt_command(CLI::App&);
-Command::Action md_star_vacuum_command(CLI::App&);
-Command::Action md_held_blobs_command(CLI::App&);
-Command::Action md_molecules_command(CLI::App&);
-Command::Action cg_state_grid_command(CLI::App&);
-Command::Action cg_mapping_command(CLI::App&);
-Command::Action cg_blobs_command(CLI::App&);
-Command::Action cg_correlations_command(CLI::App&);
-Command::Action cg_exchange_command(CLI::App&);
-Command::Action cg_transport_command(CLI::App&);
-Command::Action cg_potential_command(CLI::App&);
-Command::Action cg_friction_command(CLI::App&);
-Command::Action cg_entropy_command(CLI::App&);
-Command::Action fit_lj_bwr_command(CLI::App&);
-Command::Action fit_dpde_command(CLI::App&);
-Command::Action eos_eval_command(CLI::App&);
+extern Declaration const md_lj_grid_command;
+extern Declaration const md_metal_grid_command;
+extern Declaration const md_hugoniot_command;
+extern Declaration const md_piston_shock_command;
+extern Declaration const md_star_melt_command;
+extern Declaration const md_star_vacuum_command;
+extern Declaration const md_held_blobs_command;
+extern Declaration const md_molecules_command;
+extern Declaration const cg_state_grid_command;
+extern Declaration const cg_mapping_command;
+extern Declaration const cg_blobs_command;
+extern Declaration const cg_correlations_command;
+extern Declaration const cg_exchange_command;
+extern Declaration const cg_transport_command;
+extern Declaration const cg_potential_command;
+extern Declaration const cg_friction_command;
+extern Declaration const cg_entropy_command;
+extern Declaration const fit_lj_bwr_command;
+extern Declaration const fit_dpde_command;
+extern Declaration const eos_eval_command;
 Command::Action eos_list_command(CLI::App&);
-Command::Action eos_hugoniot_command(CLI::App&);
-Command::Action eos_crussard_command(CLI::App&);
-Command::Action eos_cj_command(CLI::App&);
-Command::Action eos_znd_command(CLI::App&);
-Command::Action eos_explosion_command(CLI::App&);
-Command::Action eos_induction_command(CLI::App&);
-Command::Action eos_isentrope_command(CLI::App&);
-Command::Action eos_profile_command(CLI::App&);
-Command::Action eos_riemann_command(CLI::App&);
-Command::Action eos_plot_command(CLI::App&);
-Command::Action eos_table_command(CLI::App&);
-Command::Action new_command(CLI::App&);
-Command::Action run_command(CLI::App&);
-Command::Action workflow_lj_to_sdpd_command(CLI::App&);
-Command::Action trade_off_command(CLI::App&);
-Command::Action workflow_star_polymers_command(CLI::App&);
-Command::Action workflow_star_to_dpde_command(CLI::App&);
-Command::Action reproduce_command(CLI::App&);
-Command::Action check_command(CLI::App&);
-Command::Action bench_engine_command(CLI::App&);
-Command::Action bench_eos_command(CLI::App&);
-Command::Action bench_blobs_command(CLI::App&);
+extern Declaration const eos_hugoniot_command;
+extern Declaration const eos_crussard_command;
+extern Declaration const eos_cj_command;
+extern Declaration const eos_znd_command;
+extern Declaration const eos_explosion_command;
+extern Declaration const eos_induction_command;
+extern Declaration const eos_isentrope_command;
+extern Declaration const eos_profile_command;
+extern Declaration const eos_riemann_command;
+extern Declaration const eos_plot_command;
+extern Declaration const eos_table_command;
+extern Declaration const new_command;
+extern Declaration const run_command;
+extern Declaration const workflow_lj_to_sdpd_command;
+extern Declaration const trade_off_command;
+extern Declaration const workflow_star_polymers_command;
+extern Declaration const workflow_star_to_dpde_command;
+extern Declaration const reproduce_command;
+extern Declaration const check_command;
+extern Declaration const bench_engine_command;
+extern Declaration const bench_eos_command;
+extern Declaration const bench_blobs_command;
 Command::Action doctor_command(CLI::App&);
 
 std::vector<Command> commands() {
@@ -67,7 +68,8 @@ std::vector<Command> commands() {
        .example = "mesobridge md hugoniot --potential Cu_mishin1.eam.alloy --T0 300 --compression 1.1,1.2",
        .declare = md_hugoniot_command},
       {.name = "md piston-shock",
-       .summary = "A piston that drives a shock into Lennard-Jones argon or a metal, with LAMMPS",
+       .summary =
+           "A piston that drives a shock into Lennard-Jones argon, a metal or a melt of stars, with LAMMPS",
        .example = "mesobridge md piston-shock --rho0 1150 --T0 500 --vp 500 -o out/md-shock",
        .declare = md_piston_shock_command},
       {.name = "md star-melt",
@@ -113,7 +115,7 @@ std::vector<Command> commands() {
        .example = "mesobridge cg transport out/melt/blobs.h5",
        .declare = cg_transport_command},
       {.name = "cg potential",
-       .summary = "A pair potential that gives particles the structure of molecules' centres of mass",
+       .summary = "A pair potential from the structure of molecules' centres of mass, or the forces on them",
        .example = "mesobridge cg potential out/melt/blobs.h5",
        .declare = cg_potential_command},
       {.name = "cg friction",

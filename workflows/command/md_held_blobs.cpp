@@ -29,8 +29,6 @@ void declare(CLI::App& app, MdHeldBlobsOptions& options) {
 
 } // namespace
 
-Command::Action md_held_blobs_command(CLI::App& app) {
-  return with_options<MdHeldBlobsOptions>(app, declare, held_blobs);
-}
+extern Declaration const md_held_blobs_command = with_options<MdHeldBlobsOptions, declare, held_blobs>;
 
 } // namespace mesobridge::workflows

@@ -172,8 +172,6 @@ void declare(CLI::App& app, MdHugoniotOptions& options) {
 
 } // namespace
 
-Command::Action md_hugoniot_command(CLI::App& app) {
-  return with_options<MdHugoniotOptions>(app, declare, sample_hugoniot);
-}
+extern Declaration const md_hugoniot_command = with_options<MdHugoniotOptions, declare, sample_hugoniot>;
 
 } // namespace mesobridge::workflows

@@ -74,8 +74,6 @@ void declare(CLI::App& app, MdLjGridOptions& options) {
 
 } // namespace
 
-Command::Action md_lj_grid_command(CLI::App& app) {
-  return with_options<MdLjGridOptions>(app, declare, lj_grid);
-}
+extern Declaration const md_lj_grid_command = with_options<MdLjGridOptions, declare, lj_grid>;
 
 } // namespace mesobridge::workflows

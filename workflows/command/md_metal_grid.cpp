@@ -91,8 +91,6 @@ void declare(CLI::App& app, MdMetalGridOptions& options) {
 
 } // namespace
 
-Command::Action md_metal_grid_command(CLI::App& app) {
-  return with_options<MdMetalGridOptions>(app, declare, metal_grid);
-}
+extern Declaration const md_metal_grid_command = with_options<MdMetalGridOptions, declare, metal_grid>;
 
 } // namespace mesobridge::workflows

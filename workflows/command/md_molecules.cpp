@@ -47,15 +47,7 @@ Result molecules(MdMoleculesOptions const& options, Context const& context) {
 
 void declare(CLI::App& app, MdMoleculesOptions& options) {
   auto& s = options.settings;
-  app.add_option("data", s.data, "LAMMPS data file of equal molecules")->required()->type_name("FILE");
-  app.add_option("--settings", s.forces, "Their force field as LAMMPS's commands: pair_style, bond_coeff ...")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--units", s.styles.units, "LAMMPS's unit style (default: the settings' or lj)")
-      ->type_name("NAME");
-  app.add_option("--atom-style", s.styles.atom_style,
-                 "bond, angle, molecular or full (default: what the files say)")
-      ->type_name("NAME");
+  add_molecule_files(app, s.data, s.forces, s.styles);
   app.add_option("--replicate", options.replicate, "So many boxes along each edge: one number, or three")
       ->expected(1, 3);
   app.add_option("--rho", s.rho, "Atoms per unit of volume (default: the data file's)");
@@ -72,8 +64,6 @@ void declare(CLI::App& app, MdMoleculesOptions& options) {
 
 } // namespace
 
-Command::Action md_molecules_command(CLI::App& app) {
-  return with_options<MdMoleculesOptions>(app, declare, molecules);
-}
+extern Declaration const md_molecules_command = with_options<MdMoleculesOptions, declare, molecules>;
 
 } // namespace mesobridge::workflows

@@ -38,7 +38,8 @@ void fill_in(MdStarMeltOptions& options) {
   fill("--sample-every", s.sample_every, usual.sample_every);
 }
 
-Result star_melt(MdStarMeltOptions options, Context const& context) {
+Result star_melt(MdStarMeltOptions const& given, Context const& context) {
+  auto options = given;
   fill_in(options);
   return sampled(MeltJob{.settings = options.settings}, options.stars, "out/star-melt", {"centres.h5"},
                  sample_melt_on_ranks, melt_text, context);
@@ -54,8 +55,6 @@ void declare(CLI::App& app, MdStarMeltOptions& options) {
 
 } // namespace
 
-Command::Action md_star_melt_command(CLI::App& app) {
-  return with_options<MdStarMeltOptions>(app, declare, star_melt);
-}
+extern Declaration const md_star_melt_command = with_options<MdStarMeltOptions, declare, star_melt>;
 
 } // namespace mesobridge::workflows

@@ -47,8 +47,6 @@ void declare(CLI::App& app, MdStarVacuumOptions& options) {
 
 } // namespace
 
-Command::Action md_star_vacuum_command(CLI::App& app) {
-  return with_options<MdStarVacuumOptions>(app, declare, star_vacuum);
-}
+extern Declaration const md_star_vacuum_command = with_options<MdStarVacuumOptions, declare, star_vacuum>;
 
 } // namespace mesobridge::workflows

@@ -113,8 +113,6 @@ void declare(CLI::App& app, std::string& name) {
 
 } // namespace
 
-Command::Action new_command(CLI::App& app) {
-  return with_options<std::string>(app, declare, write_scene);
-}
+extern Declaration const new_command = with_options<std::string, declare, write_scene>;
 
 } // namespace mesobridge::workflows

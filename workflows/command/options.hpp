@@ -3,13 +3,16 @@
 
 namespace mesobridge::workflows {
 
-/// What a command with options of its own returns: `declare` adds them to the parser, `run` gets what was
-/// parsed.
-template <class Options, class Run>
-Command::Action with_options(CLI::App& app, void (*declare)(CLI::App&, Options&), Run run) {
+/// Adds a command's options to the parser and returns what to do once they are parsed.
+using Declaration = Command::Action (*)(CLI::App&);
+
+/// The declaration of a command with options of its own: `declare` adds them to the parser, `run` gets what
+/// was parsed.
+template <class Options, void (*declare)(CLI::App&, Options&), Result (*run)(Options const&, Context const&)>
+Command::Action with_options(CLI::App& app) {
   auto options = std::make_shared<Options>();
   declare(app, *options);
-  return [options, run](Context& context) { return run(*options, context); };
+  return [options](Context& context) { return run(*options, context); };
 }
 
 } // namespace mesobridge::workflows

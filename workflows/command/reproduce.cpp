@@ -73,8 +73,6 @@ void declare(CLI::App& app, ReproduceCommandOptions& options) {
 
 } // namespace
 
-Command::Action reproduce_command(CLI::App& app) {
-  return with_options<ReproduceCommandOptions>(app, declare, reproduce);
-}
+extern Declaration const reproduce_command = with_options<ReproduceCommandOptions, declare, reproduce>;
 
 } // namespace mesobridge::workflows

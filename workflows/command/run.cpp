@@ -124,7 +124,7 @@ Result result_of(RunResult const& done, std::filesystem::path const& to_look_at,
   return result;
 }
 
-Result run_scene_file(RunCommandOptions const& options, Context& context) {
+Result run_scene_file(RunCommandOptions const& options, Context const& context) {
   TimeLimit const limit(options.max_hours);
   auto overrides = options.set;
   if (context.options.seed)
@@ -179,8 +179,6 @@ void declare(CLI::App& app, RunCommandOptions& options) {
 
 } // namespace
 
-Command::Action run_command(CLI::App& app) {
-  return with_options<RunCommandOptions>(app, declare, run_scene_file);
-}
+extern Declaration const run_command = with_options<RunCommandOptions, declare, run_scene_file>;
 
 } // namespace mesobridge::workflows

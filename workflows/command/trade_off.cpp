@@ -127,8 +127,6 @@ void declare(CLI::App& app, TradeOffOptions& options) {
 
 } // namespace
 
-Command::Action trade_off_command(CLI::App& app) {
-  return with_options<TradeOffOptions>(app, declare, measure_trade_off);
-}
+extern Declaration const trade_off_command = with_options<TradeOffOptions, declare, measure_trade_off>;
 
 } // namespace mesobridge::workflows

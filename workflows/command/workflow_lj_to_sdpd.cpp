@@ -30,8 +30,7 @@ void declare(CLI::App& app, WorkflowLjToSdpdOptions& options) {
 
 } // namespace
 
-Command::Action workflow_lj_to_sdpd_command(CLI::App& app) {
-  return with_options<WorkflowLjToSdpdOptions>(app, declare, lj_to_sdpd);
-}
+extern Declaration const workflow_lj_to_sdpd_command =
+    with_options<WorkflowLjToSdpdOptions, declare, lj_to_sdpd>;
 
 } // namespace mesobridge::workflows

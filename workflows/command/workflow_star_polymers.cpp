@@ -72,8 +72,7 @@ void declare(CLI::App& app, WorkflowStarPolymersOptions& options) {
 
 } // namespace
 
-Command::Action workflow_star_polymers_command(CLI::App& app) {
-  return with_options<WorkflowStarPolymersOptions>(app, declare, star_polymers);
-}
+extern Declaration const workflow_star_polymers_command =
+    with_options<WorkflowStarPolymersOptions, declare, star_polymers>;
 
 } // namespace mesobridge::workflows

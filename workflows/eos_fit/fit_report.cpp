@@ -50,7 +50,6 @@ std::vector<VerdictLine> verdicts(EosFit const& fit) {
 Table parameter_table(EosFit const& fit) {
   auto const& outcome = fit.outcome;
   Table table{.header = {"parameter", "value", "unit", "bounds", "state"},
-              .rows = {},
               .caption = "Standard errors are those of the linearised fit at its best."};
   if (fit.bootstrap)
     table.header.insert(table.header.begin() + 2, {"bootstrap se", "bootstrap 95 %"});
@@ -80,7 +79,7 @@ Table parameter_table(EosFit const& fit) {
 }
 
 Table correlation_table(EosFit const& fit) {
-  Table table{.header = {""}, .rows = {}, .caption = "Correlation of the errors."};
+  Table table{.header = {""}, .caption = "Correlation of the errors."};
   auto const correlation = fit.outcome.correlation();
   for (auto const i : fit.outcome.free)
     table.header.push_back(fit.outcome.parameters[static_cast<std::size_t>(i)].name);
@@ -95,7 +94,6 @@ Table correlation_table(EosFit const& fit) {
 
 Table data_table(EosFit const& fit) {
   Table table{.header = {"from", "quantity", "data", "fit", "deviation [se]"},
-              .rows = {},
               .caption = "Every datum in SI units beside the fit; ± are standard errors."};
   for (auto const& fitted : fit.observations)
     for (auto const& datum : fitted.data)
@@ -135,7 +133,6 @@ std::string start_text(std::optional<fitting::StartState> const& start) {
 Table raw_data_table(EosFit const& fit) {
   constexpr std::string_view kinds[] = {"state", "hugoniot", "isentrope", "cj"};
   Table table{.header = {"from", "kind", "start", "given", "measured"},
-              .rows = {},
               .caption = "The data as they were read, in SI units; ± are their own standard errors."};
   for (auto const& [observation, state, data] : fit.observations)
     table.rows.push_back(

@@ -15,6 +15,9 @@ std::int64_t steps_before(md::LjPistonSettings const& settings) {
 std::int64_t steps_before(md::MetalPistonSettings const& settings) {
   return settings.equilibration_steps;
 }
+std::int64_t steps_before(md::StarPistonSettings const& settings) {
+  return settings.steps_before();
+}
 
 bool sample(md::MpiWorld const& world, md::LjPistonSettings const& settings, std::int64_t steps,
             md::PistonConsumers const& consumers) {
@@ -23,6 +26,10 @@ bool sample(md::MpiWorld const& world, md::LjPistonSettings const& settings, std
 bool sample(md::MpiWorld const& world, md::MetalPistonSettings const& settings, std::int64_t steps,
             md::PistonConsumers const& consumers) {
   return md::sample_metal_piston(world, settings, steps, consumers);
+}
+bool sample(md::MpiWorld const& world, md::StarPistonSettings const& settings, std::int64_t steps,
+            md::PistonConsumers const& consumers) {
+  return md::sample_star_piston(world, settings, steps, consumers);
 }
 
 void sample_as_root(md::MpiWorld const& world, PistonJob const& job, auto const& settings,

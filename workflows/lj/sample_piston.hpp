@@ -1,6 +1,7 @@
 #pragma once
 #include "md/lj_piston.hpp"
 #include "md/metal_piston.hpp"
+#include "md/star_piston.hpp"
 #include "workflows/command.hpp"
 #include <variant>
 
@@ -8,7 +9,7 @@ namespace mesobridge::workflows {
 
 /// A piston's run by molecular dynamics to be made.
 struct PistonJob {
-  std::variant<md::LjPistonSettings, md::MetalPistonSettings> settings;
+  std::variant<md::LjPistonSettings, md::MetalPistonSettings, md::StarPistonSettings> settings;
   std::int64_t steps = 0;          ///< while the piston moves
   std::filesystem::path directory; ///< exists; gets piston-shock.h5 and LAMMPS's log
 

@@ -58,7 +58,7 @@ Plot isotherms(ChainResults const& results, GridQuantity quantity) {
   differences.level_lines = {0};
   int colour = 0;
   for (auto const& [T, points] : by_temperature(fit)) {
-    Series data{.label = fmt::format("T* = {:.3g}", T), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series data{.label = fmt::format("T* = {:.3g}", T), .colour = colour};
     Series residual{.x = {}, .y = {}, .y_error = {}, .colour = colour};
     Series witness{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines, .colour = colour};
     Series other{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::dashes, .colour = colour};
@@ -90,7 +90,10 @@ Plot held_out(ChainResults const& results) {
   auto& panel = plot.panels[0];
   panel.y.label = "(MD - prediction) / standard error";
   panel.level_lines = {-3, 0, 3};
-  Series U{.label = "U*", .x = {}, .y = {}, .y_error = {}}, P{.label = "P*", .x = {}, .y = {}, .y_error = {}};
+  Series U{
+      .label = "U*",
+  },
+      P{.label = "P*"};
   for (auto const& point : results.fit.points) {
     U.x.push_back(point.rho - 0.004), U.y.push_back(point.U_held_out_deviation);
     P.x.push_back(point.rho + 0.004), P.y.push_back(point.P_held_out_deviation);

@@ -48,7 +48,7 @@ class Differences {
   }
 
   Series md(std::string label, int colour) const {
-    Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series series{.label = std::move(label), .colour = colour};
     for (auto const& point : fit_.points)
       if (point.T == T_) {
         bool const energy = quantity_ == GridQuantity::U;

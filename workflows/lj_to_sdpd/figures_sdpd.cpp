@@ -10,7 +10,7 @@ namespace {
 /// A quantity of the runs against their size.
 template <class F>
 Series against_size(std::string label, std::vector<RunResult> const& runs, int colour, F&& estimate) {
-  Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+  Series series{.label = std::move(label), .colour = colour};
   for (auto const& run : runs) {
     cg::Estimate const e = estimate(run);
     series.x.push_back(run.settings.K()), series.y.push_back(e.mean), series.y_error.push_back(e.se);
@@ -20,12 +20,7 @@ Series against_size(std::string label, std::vector<RunResult> const& runs, int c
 
 template <class F>
 Series curve_over_sizes(std::string label, std::vector<RunResult> const& runs, int colour, F&& value) {
-  Series series{.label = std::move(label),
-                .x = {},
-                .y = {},
-                .y_error = {},
-                .style = SeriesStyle::dashes,
-                .colour = colour};
+  Series series{.label = std::move(label), .style = SeriesStyle::dashes, .colour = colour};
   double const low = runs.front().settings.K(), high = runs.back().settings.K();
   for (int k = 0; k <= 60; ++k) {
     double const K = low * std::pow(high / low, k / 60.0);
@@ -35,15 +30,12 @@ Series curve_over_sizes(std::string label, std::vector<RunResult> const& runs, i
 }
 
 /// Something against the size of the particles of the runs.
-Plot size_plot(std::string name, std::string title, std::string y, std::vector<RunResult> const& runs) {
-  Plot plot{.name = std::move(name),
-            .title = std::move(title),
-            .x = {.label = "particle size K",
-                  .logarithmic = true,
-                  .min = runs.front().settings.K() / 1.5,
-                  .max = runs.back().settings.K() * 1.5},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = std::move(y);
+Plot size_plot(std::string name, std::string title, std::string y, std::vector<RunResult> const& runs,
+               std::vector<double> level_lines = {}) {
+  auto plot =
+      one_panel(std::move(name), std::move(title), "particle size K", std::move(y), std::move(level_lines));
+  plot.x.logarithmic = true;
+  plot.x.min = runs.front().settings.K() / 1.5, plot.x.max = runs.back().settings.K() * 1.5;
   return plot;
 }
 
@@ -75,24 +67,22 @@ Plot pressure_against_size(ChainResults const& results) {
 
 Plot temperatures_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("temperatureK", "Temperatures", "T [K]", runs);
+  auto plot = size_plot("temperatureK", "Temperatures", "T [K]", runs, {fluid_T});
   plot.panels[0].series = {
       against_size("kinetic", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.T_kin, fluid_T); }),
       against_size("internal", runs, 1,
                    [](auto const& run) { return scaled(run.equilibrium.T_int, fluid_T); })};
-  plot.panels[0].level_lines = {fluid_T};
   return plot;
 }
 
 Plot density_against_size(ChainResults const& results) {
   auto const& runs = results.fluid;
-  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]", runs);
+  auto plot = size_plot("densityK", "Mean density", "rho [kg/m^3]", runs, {fluid_rho});
   plot.panels[0].series = {
       against_size("SDPD", runs, 0,
                    [](auto const& run) { return scaled(run.equilibrium.rho.mean, fluid_rho); }),
       curve_over_sizes("thesis, Table 5.1", runs, 2, [](double K) { return thesis_means(K).density; })};
-  plot.panels[0].level_lines = {fluid_rho};
   return plot;
 }
 
@@ -168,7 +158,7 @@ Plot drift_against_time_step(std::vector<DriftLaw> const& laws) {
   int colour = 0;
   for (auto const& law : laws) {
     double const printed = law.K == 10 ? 9.50 : law.K == 50 ? 181 : 217;
-    Series points{.label = fmt::format("K = {:g}", law.K), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series points{.label = fmt::format("K = {:g}", law.K), .colour = colour};
     Series ours{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines, .colour = colour};
     Series theirs{.x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::dashes, .colour = colour};
     for (std::size_t k = 0; k < law.dt.size(); ++k) {

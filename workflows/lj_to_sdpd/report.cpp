@@ -18,7 +18,6 @@ Table fluid_table(ChainResults const& results) {
                  first.settings.as<sdpd::Sdpd>().eos);
   Table table{.header = {"K", "T kinetic [K]", "T internal [K]", "P virial [GPa]", "P thesis [GPa]",
                          "P / P EoS", "density [kg/m³]", "density thesis [kg/m³]", "drift [1/time]"},
-              .rows = {},
               .caption = fmt::format(
                   "SDPD by the fitted equation of state, which gives {:.4f} GPa at 1000 K and 1150 kg/m³; "
                   "thesis: its Table 5.1.",
@@ -38,7 +37,6 @@ Table fluid_table(ChainResults const& results) {
 
 Table published_table(ChainResults const& results) {
   Table table{.header = {"equation of state", "K", "P [GPa]", "T internal [K]", "density [kg/m³]"},
-              .rows = {},
               .caption = "The same fluid by both equations of state: what the fit changes in SDPD."};
   auto add = [&](std::string const& name, RunResult const& run) {
     auto const& e = run.equilibrium;
@@ -59,7 +57,6 @@ Table published_table(ChainResults const& results) {
 Table state_table(fitting::LjBwrFit const& fit) {
   Table table{.header = {"rho*", "T*", "U* MD", "U* fit", "U* 1993", "U* held out [se]", "P* MD", "P* fit",
                          "P* 1993", "P* held out [se]"},
-              .rows = {},
               .caption = "Every state, per atom in Lennard-Jones units; ‘held out’: MD minus the prediction "
                          "by a fit without "
                          "this state, in their combined standard error."};
@@ -74,7 +71,6 @@ Table state_table(fitting::LjBwrFit const& fit) {
 
 Table drift_table(std::vector<DriftLaw> const& laws) {
   Table table{.header = {"K", "rates used", "exponent", "printed exponent", "prefactor", "printed prefactor"},
-              .rows = {},
               .caption = "Power laws alpha = C dt^n through the drift rates, in reduced units."};
   for (auto const& law : laws) {
     bool const fitted = law.exponent.n_eff > 0;
@@ -206,8 +202,7 @@ Section drift_section(ChainResults const& results) {
 }
 
 Section cost_section(ChainResults const& results) {
-  Table table{
-      .header = {"stage", "seconds"}, .rows = {}, .caption = "Wall time of the stages on this machine."};
+  Table table{.header = {"stage", "seconds"}, .caption = "Wall time of the stages on this machine."};
   table.rows = {{"molecular dynamics", number_text(results.seconds.md, 3)},
                 {"analysis and fit", number_text(results.seconds.fit, 3)},
                 {"SDPD", number_text(results.seconds.sdpd, 3)}};

@@ -100,7 +100,6 @@ Json reference_json(HugoniotReference const& reference, ShockOfRun const& shock)
 
 Section reference_section(HugoniotReference const& reference, ShockOfRun const& shock) {
   Table table{.header = {"behind the front", "piston", "equilibrium", "difference [se]"},
-              .rows = {},
               .caption = "Equilibrium: states of even compression that fulfil the relations of Rankine and "
                          "Hugoniot (md hugoniot), linear between two of them. A crystal that a piston shocks "
                          "along one axis keeps some shear stress."};

@@ -109,6 +109,15 @@ std::string described(Plot const& plot) {
 
 } // namespace
 
+Plot one_panel(std::string name, std::string title, std::string x, std::string y,
+               std::vector<double> level_lines) {
+  Plot plot{
+      .name = std::move(name), .title = std::move(title), .x = {.label = std::move(x)}, .panels = {Panel{}}};
+  plot.panels[0].y.label = std::move(y);
+  plot.panels[0].level_lines = std::move(level_lines);
+  return plot;
+}
+
 std::string draw_svg(Plot const& plot) {
   if (plot.panels.empty())
     throw std::logic_error(fmt::format("plot '{}' has no panel", plot.name));

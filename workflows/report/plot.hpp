@@ -10,13 +10,13 @@ enum class SeriesStyle { points, lines, dashes, steps, band };
 /// One set of data in a plot. Labels are UTF-8 with gnuplot's marks: x^2, T_{kin}; `plain` takes the marks
 /// out of a text.
 struct Series {
-  std::string label; ///< empty: not in the legend
-  std::vector<double> x, y;
-  std::vector<double>
-      y_error; ///< empty, or one standard error a point: error bars, or the half-width of a band
+  std::string label = {}; ///< empty: not in the legend
+  std::vector<double> x = {}, y = {};
+  std::vector<double> y_error =
+      {}; ///< empty, or one standard error a point: error bars, or the half-width of a band
   SeriesStyle style = SeriesStyle::points;
-  std::optional<int>
-      colour; ///< index into the palette; series of one colour belong together. Default: by position
+  std::optional<int> colour =
+      {}; ///< index into the palette; series of one colour belong together. Default: by position
 };
 
 struct Axis {
@@ -47,6 +47,10 @@ struct Plot {
   Axis x;
   std::vector<Panel> panels;
 };
+
+/// A plot of one panel without data yet.
+Plot one_panel(std::string name, std::string title, std::string x, std::string y,
+               std::vector<double> level_lines = {});
 
 /// Draws with gnuplot: an SVG element without XML prolog, ready to stand in HTML, of plot_width x
 /// plot_height, with a text for those who cannot see it. Throws PhysicsError that names plot and series for

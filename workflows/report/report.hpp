@@ -32,9 +32,9 @@ struct Figure {
 
 /// Cells are plain text. All but the first column are set as numbers.
 struct Table {
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-  std::string caption;
+  std::vector<std::string> header = {};
+  std::vector<std::vector<std::string>> rows = {};
+  std::string caption = {};
 };
 
 /// Files beside the report, by their names there, and what is in them.

@@ -7,7 +7,7 @@
 namespace mesobridge::workflows {
 
 std::span<Source const> all_sources() {
-  static constexpr std::array<Source, 16> sources{{
+  static constexpr std::array<Source, 18> sources{{
       {"Dehnen and Aly 2012", "W. Dehnen, H. Aly",
        "Improving convergence in smoothed particle hydrodynamics simulations without pairing instability",
        "Mon. Not. R. Astron. Soc. 425, 1068-1082", 2012, "https://doi.org/10.1111/j.1365-2966.2012.21439.x"},
@@ -31,12 +31,20 @@ std::span<Source const> all_sources() {
       {"Hubber et al. 2018", "D. A. Hubber, G. P. Rosotti, R. A. Booth",
        "GANDALF - Graphical Astrophysics code for N-body Dynamics And Lagrangian Fluids",
        "Mon. Not. R. Astron. Soc. 473, 1603-1632", 2018, "https://doi.org/10.1093/mnras/stx2405"},
+      {"Izvekov and Voth 2005", "S. Izvekov, G. A. Voth",
+       "A multiscale coarse-graining method for biomolecular systems", "J. Phys. Chem. B 109, 2469-2473",
+       2005, "https://doi.org/10.1021/jp044629q"},
       {"Johnson et al. 1993", "J. K. Johnson, J. A. Zollweg, K. E. Gubbins",
        "The Lennard-Jones equation of state revisited", "Mol. Phys. 78, 591-618", 1993,
        "https://doi.org/10.1080/00268979300100411"},
       {"Kolafa and Nezbeda 1994", "J. Kolafa, I. Nezbeda",
        "The Lennard-Jones fluid: an accurate analytic and theoretically-based equation of state",
        "Fluid Phase Equilib. 100, 1-34", 1994, "https://doi.org/10.1016/0378-3812(94)80001-4"},
+      {"Noid et al. 2008",
+       "W. G. Noid, J.-W. Chu, G. S. Ayton, V. Krishna, S. Izvekov, G. A. Voth, A. Das, H. C. Andersen",
+       "The multiscale coarse-graining method. I. A rigorous bridge between atomistic and coarse-grained "
+       "models",
+       "J. Chem. Phys. 128, 244114", 2008, "https://doi.org/10.1063/1.2938860"},
       {"Palmer 1994", "B. J. Palmer",
        "Transverse-current autocorrelation-function calculations of the shear viscosity for molecular "
        "liquids",

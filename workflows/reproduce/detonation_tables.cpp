@@ -39,7 +39,6 @@ Table table_of(std::vector<DetonationRow> const& rows,
   Table table{
       .header = {"K", "Z [1/s]", "eta [Pa s]", "Re_l", "D [m/s]", "Chapman-Jouguet", "printed", "change of D",
                  "zone [nm]", "ZND", "printed", "zone [l]"},
-      .rows = {},
       .caption =
           "D: velocity of the front, from six blocks of frames; change of D: from the first half of these "
           "frames to "

@@ -80,7 +80,6 @@ std::optional<double> order(std::vector<Solved> const& runs, double Solved::*err
 Table table_of(TubeCase const& of, std::vector<Solved> const& runs) {
   Table table{.header = {"particles along it", "error of the density", "of the velocity", "of the pressure",
                          "drift of the energy"},
-              .rows = {},
               .caption =
                   of.title + ". Means of |particles - exact| over the tube, in the largest exact value."};
   for (auto const& run : runs) {
@@ -133,7 +132,6 @@ Json json_of(TubeCase const& of, std::vector<Solved> const& runs) {
 Section sound_section(std::vector<std::int64_t> const& lengths, int threads, Json& json) {
   Table table{.header = {"fluid", "length in particles", "velocity [m/s]", "of the equation of state",
                          "error", "damping [1/s]", "of the viscosity", "error"},
-              .rows = {},
               .caption = "A standing wave on a cubic lattice, followed over two periods. A kernel of finite "
                          "support sees short waves less: the errors fall with the square of the length."};
   json = Json::array();

@@ -25,11 +25,10 @@ std::vector<LineResult> run_in_place(std::string const& title, ReproduceOptions 
 }
 
 Plot distribution_plot(std::vector<LineResult> const& lines, std::size_t which) {
-  Plot plot{.name = "distribution",
-            .title = fmt::format("Internal energies, K = {:g}, dt = {:g}", K, lines[0].dt[which]),
-            .x = {.label = "eps / k_B T", .max = 16.0},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = "probability density";
+  auto plot =
+      one_panel("distribution", fmt::format("Internal energies, K = {:g}, dt = {:g}", K, lines[0].dt[which]),
+                "eps / k_B T", "probability density");
+  plot.x.max = 16.0;
   auto const& bins = lines[0].trials[which].bins;
   std::vector<double> x;
   for (std::size_t b = 0; b < bins.count; ++b)
@@ -62,7 +61,6 @@ Reproduced reproduce_figure_4_5(ReproduceOptions const& options, Context const& 
       over_time_step("error", "Error of the distribution (4.18)", "relative quadratic error", true);
   Table table{
       .header = {"scheme", "dt", "error (4.18)", "its statistical part", "var eps / exact"},
-      .rows = {},
       .caption = "150 bins from 0.1 to 20 k_B T as in the thesis. The statistical part is what two halves of "
                  "the sample differ by."};
   Json rows = Json::array();
@@ -119,7 +117,6 @@ Reproduced reproduce_figure_4_6(ReproduceOptions const& options, Context const& 
   auto const printed = published("thesis-section-4.3.3.csv");
   auto plot = over_time_step("rejected", "Rejected steps of pairs", "share", true);
   Table table{.header = {"scheme", "dt", "Metropolis", "out of the equation of state"},
-              .rows = {},
               .caption = "Shares of all steps of pairs."};
   Json rows = Json::array();
   int colour = 0;

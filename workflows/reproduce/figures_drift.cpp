@@ -10,7 +10,7 @@ namespace {
 
 Series law_curve(std::string label, double prefactor, double exponent, double low, double high,
                  SeriesStyle style, int colour) {
-  Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .style = style, .colour = colour};
+  Series series{.label = std::move(label), .style = style, .colour = colour};
   for (int k = 0; k <= 20; ++k) {
     double const x = low * std::pow(high / low, k / 20.0);
     series.x.push_back(x), series.y.push_back(prefactor * std::pow(x, exponent));
@@ -96,7 +96,6 @@ Reproduced reproduce_figure_4_3(ReproduceOptions const& options, Context const& 
   auto plot = drift_plot("drift", "Drift of SSA: ours (points, lines), printed laws (dashes)", lines);
   int colour = 0;
   Table table{.header = {"K", "our exponent", "printed", "our rate at dt = 0.2", "printed law at dt = 0.2"},
-              .rows = {},
               .caption = printed.source};
   Json laws = Json::array();
   for (std::size_t k = 0; k < lines.size(); ++k) {

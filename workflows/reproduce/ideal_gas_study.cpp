@@ -97,7 +97,7 @@ std::vector<LineResult> run_lines(std::string const& title, std::vector<StudyLin
 
 Series resolved_points(std::string label, std::vector<double> const& x, std::vector<cg::Estimate> const& y,
                        int colour) {
-  Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}, .colour = colour};
+  Series series{.label = std::move(label), .colour = colour};
   for (std::size_t k = 0; k < x.size(); ++k)
     if (y[k].mean > y[k].se)
       series.x.push_back(x[k]), series.y.push_back(y[k].mean), series.y_error.push_back(y[k].se);
@@ -114,20 +114,13 @@ Plot over_time_step(std::string name, std::string title, std::string y, bool log
 }
 
 Plot energy_in_time(std::string name, std::string title, std::vector<LineResult> const& lines) {
-  Plot plot{.name = std::move(name),
-            .title = std::move(title),
-            .x = {.label = "time [reduced]"},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = "10^4 (E - E_0)/|E_0|";
-  plot.panels[0].level_lines = {0};
+  auto plot = one_panel(std::move(name), std::move(title), "time [reduced]", "10^4 (E - E_0)/|E_0|", {0});
   for (auto const& line : lines)
     for (std::size_t k = 0; k < line.dt.size(); ++k) {
       if (line.trials[k].failed())
         continue;
       Series series{.label = fmt::format("{}, dt = {:g}", line.label, line.dt[k]),
                     .x = line.trials[k].times,
-                    .y = {},
-                    .y_error = {},
                     .style = SeriesStyle::lines};
       for (double const error : line.trials[k].energies)
         series.y.push_back(1e4 * error);
@@ -167,7 +160,6 @@ Json lines_json(std::vector<LineResult> const& lines) {
 Table drift_table(std::vector<LineResult> const& lines) {
   Table table{
       .header = {"scheme and size", "dt", "drift [1/time]", "by the slope", "by the walk", "rejected [%]"},
-      .rows = {},
       .caption =
           "Rates of (E - E_0)/|E_0| in reduced units: by the slope of the energy, and by the width of "
           "its random walk, <W> = Var(W)/2 k_B T; the first column takes the better known one. Both look "

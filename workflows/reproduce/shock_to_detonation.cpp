@@ -39,7 +39,6 @@ std::string label_of(DetonationRow const& row) {
 Table table_of(std::vector<DetonationRow> const& rows) {
   Table table{
       .header = {"K", "Z [1/s]", "start", "D [m/s]", "Chapman-Jouguet", "t_D(z = 0) [ps]"},
-      .rows = {},
       .caption =
           "t_D(z = 0): when the front of the detonation, drawn back on a straight line, would have left "
           "the place of the piston; the thesis prints 15.7 ps (K = 10) to 14.0 ps (K = 10000)."};
@@ -61,11 +60,9 @@ Table table_of(std::vector<DetonationRow> const& rows) {
 /// The ways of the fronts; times and places are multiplied with `scale` of the row.
 Figure ways(std::vector<DetonationRow> const& rows, std::function<double(DetonationRow const&)> const& scale,
             std::string const& caption) {
-  Plot plot{
-      .name = "ways", .title = "Position of the front", .x = {.label = "time [ps]"}, .panels = {Panel{}}};
-  plot.panels[0].y.label = "front [nm]";
+  auto plot = one_panel("ways", "Position of the front", "time [ps]", "front [nm]");
   for (auto const& row : rows) {
-    Series series{.label = label_of(row), .x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+    Series series{.label = label_of(row), .style = SeriesStyle::lines};
     for (std::size_t k = 0; k < row.times.size(); ++k)
       series.x.push_back(row.times[k] / ps * scale(row)), series.y.push_back(row.fronts[k] / nm * scale(row));
     if (!series.x.empty())

@@ -113,7 +113,6 @@ Reproduced reproduce_table_4_1(ReproduceOptions const& options, Context const& c
   auto const printed = published("thesis-table-4.1.csv");
   Reproduced found;
   Table table{.header = {"scheme", "ours [us]", "ours / Verlet", "printed [us]", "printed / Verlet"},
-              .rows = {},
               .caption =
                   fmt::format("Processor time per particle and conservative step on one core, ideal gas, K = "
                               "{:g}, N = 1000, dt = {:g}; {} rounds of {} steps from common starts, "

@@ -91,7 +91,6 @@ std::vector<ShownRow> shown(std::vector<ShockRow> const& rows) {
 Table ssa_table(std::vector<ShockRow> const& rows) {
   Table table{
       .header = {"scheme", "dt", "what became of it"},
-      .rows = {},
       .caption =
           "The thesis could not use SSA here: negative energies appeared very early even at dt = 1e-4."};
   for (auto const& row : rows)

@@ -106,7 +106,7 @@ std::optional<ShockRow> molecular_dynamics(ReproduceOptions const& options, Cont
     throw_if_interrupted();
     data = there();
   }
-  auto const shock = data ? shock_in(data->frames, data->scale) : std::nullopt;
+  auto const shock = data ? shock_in(shock_data_of(*data)) : std::nullopt;
   return shock ? std::optional(md_row(*data, *shock)) : std::nullopt;
 }
 

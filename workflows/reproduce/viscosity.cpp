@@ -87,7 +87,6 @@ std::string csv_of(std::vector<Row> const& rows) {
 
 Table table_of(std::vector<Row> const& rows) {
   Table table{.header = {"method", "K", "neighbours", "asked", "mean field", "measured", "measured / asked"},
-              .rows = {},
               .caption = "SDPD of argon at 1150 kg/m³ and 1000 K with Wendland's C4 kernel [Pa s]; DPD and "
                          "DPDE: a = 25, γ = 4.5, "
                          "ρ = 3, k_B T = 1. Mean field: friction and motion of a fluid without structure "

@@ -13,17 +13,14 @@ std::string in_the_frame(std::string const& quantity, std::string const& key, De
                          std::vector<cg::Estimate> const& values, double (*exact)(fitting::ZonePoint const&),
                          OutputUnits const& units) {
   auto const x = axis_of("z" + units.length_key), y = axis_of(quantity + key);
-  Plot plot{.name = drawing_name("detonation" + quantity),
-            .title = quantity + " in the frame of the front",
-            .x = {.label = "distance from the front" + x.label.substr(1)},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = y.label;
+  auto plot = one_panel(drawing_name("detonation" + quantity), quantity + " in the frame of the front",
+                        "distance from the front" + x.label.substr(1), y.label);
   Series ours{
       .label = "particles", .x = scaled(found.measured.profile.depth, x.factor), .y = {}, .y_error = {}};
   for (auto const& value : values)
     ours.y.push_back(value.mean * y.factor), ours.y_error.push_back(value.se * y.factor);
   plot.panels[0].series.push_back(std::move(ours));
-  Series theory{.label = "zone by ZND", .x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+  Series theory{.label = "zone by ZND", .style = SeriesStyle::lines};
   double const farthest = -found.measured.profile.depth.front();
   for (auto const& point : found.theory.zone)
     if (point.x < farthest)
@@ -35,11 +32,7 @@ std::string in_the_frame(std::string const& quantity, std::string const& key, De
 
 std::string way_of_the_front(DetonationOfRun const& found, OutputUnits const& units) {
   auto const x = axis_of("time" + units.time_key), y = axis_of("front" + units.length_key);
-  Plot plot{.name = drawing_name("detonationfront"),
-            .title = "The way of the front",
-            .x = {.label = x.label},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = y.label;
+  auto plot = one_panel(drawing_name("detonationfront"), "The way of the front", x.label, y.label);
   plot.panels[0].series = {{.label = "",
                             .x = scaled(found.measured.times, x.factor),
                             .y = scaled(found.measured.fronts, y.factor),
@@ -78,7 +71,7 @@ std::string release_drawing(DetonationOfRun const& found, OutputUnits const& uni
                             .y = scaled(at.P, y.factor),
                             .y_error = {}});
   try {
-    Series exact{.label = "Taylor", .x = {0}, .y = {}, .y_error = {}, .style = SeriesStyle::lines};
+    Series exact{.label = "Taylor", .x = {0}, .style = SeriesStyle::lines};
     auto const wave = fitting::taylor_wave(fitting::Fluid(found.theory.fluid.mixture.product().eos()),
                                            found.theory.chapman_jouguet, *found.wall, 60);
     exact.y.push_back(wave.back().state.P * y.factor);
@@ -94,7 +87,6 @@ Table comparison(DetonationOfRun const& found, OutputUnits const& units) {
   bool const si = !units.length_key.empty();
   Table table{
       .header = comparison_header(),
-      .rows = {},
       .caption =
           "The front from blocks of frames, beside the velocity of Chapman and Jouguet with the same "
           "models; the zone (0.02 <= mean progress <= 0.98) beside that of Zel'dovich, von Neumann and "

@@ -8,8 +8,7 @@ namespace mesobridge::workflows {
 
 Plot distribution_plot(std::string const& name, std::string const& title, std::string const& axis,
                        std::vector<LabelledSamples> const& samples) {
-  Plot plot{.name = name, .title = title, .x = {.label = axis}, .panels = {Panel{}}};
-  plot.panels[0].y.label = "probability density";
+  auto plot = one_panel(name, title, axis, "probability density");
   for (auto const& [label, values, unit] : samples) {
     std::vector<double> scaled(values.begin(), values.end());
     for (auto& value : scaled)
@@ -28,9 +27,7 @@ Plot distribution_plot(std::string const& name, std::string const& title, std::s
 
 Plot energy_error_plot(std::string const& name,
                        std::vector<std::pair<std::string, RunResult const*>> const& runs) {
-  Plot plot{.name = name, .title = "Energy error", .x = {.label = "time [reduced]"}, .panels = {Panel{}}};
-  plot.panels[0].y.label = "10^6 (E - E_0)/E_0";
-  plot.panels[0].level_lines = {0};
+  auto plot = one_panel(name, "Energy error", "time [reduced]", "10^6 (E - E_0)/E_0", {0});
   for (auto const& [label, run] : runs) {
     std::vector<double> error;
     for (double const energy : run->energies)
@@ -39,7 +36,6 @@ Plot energy_error_plot(std::string const& name,
     Series series{.label = label,
                   .x = thinned(run->times, most_points),
                   .y = thinned(error, most_points),
-                  .y_error = {},
                   .style = SeriesStyle::lines};
     plot.panels[0].series.push_back(std::move(series));
   }
@@ -47,12 +43,8 @@ Plot energy_error_plot(std::string const& name,
 }
 
 Series gamma_law(double K, double x_min, double x_max, int colour) {
-  Series series{.label = fmt::format("Gamma law, K = {:g}", K),
-                .x = {},
-                .y = {},
-                .y_error = {},
-                .style = SeriesStyle::lines,
-                .colour = colour};
+  Series series{
+      .label = fmt::format("Gamma law, K = {:g}", K), .style = SeriesStyle::lines, .colour = colour};
   for (int k = 0; k <= 200; ++k) {
     double const x = x_min + (x_max - x_min) * k / 200;
     series.x.push_back(x);

@@ -46,7 +46,6 @@ Table numbers(RunResult const& run, OutputUnits const& units) {
   bool const energies = features.energies, densities = features.densities;
   bool const si = run.scene.units == UnitSystem::SI;
   Table table{.header = comparison_header(),
-              .rows = {},
               .caption = densities ? "Means over the run beside the equation of state at the set density and "
                                      "temperature."
                                    : "Means over the run beside the set temperature."};

@@ -16,7 +16,7 @@ Plot velocities(FlowOfRun const& flow, RunResult const& run) {
              y = axis_of("velocity" + units.velocity_key);
   Plot plot{.name = "flow", .title = "Velocity along the flow", .x = {.label = x.label}, .panels = {Panel{}}};
   auto const at = scaled(flow.position, x.factor);
-  Series measured{.label = "measured", .x = at, .y = {}, .y_error = {}};
+  Series measured{.label = "measured", .x = at};
   for (auto const& v : flow.velocity)
     measured.y.push_back(v.mean * y.factor), measured.y_error.push_back(v.se * y.factor);
   plot.panels[0].y.label = y.label;
@@ -35,7 +35,6 @@ Section flow_section(FlowOfRun const& flow, RunResult const& run) {
   bool const si = run.scene.units == UnitSystem::SI;
   auto const mean_field = sdpd::mean_field_viscosity(run.settings);
   Table table{.header = comparison_header(),
-              .rows = {},
               .caption =
                   "The steady flow, beside the viscosity that friction and motion have in a fluid without "
                   "structure (sdpd/README.md, Eq. (S55)); stiff fluids of large particles have more."};

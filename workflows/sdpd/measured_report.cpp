@@ -38,7 +38,6 @@ std::optional<double> expected(MeasuredComponent const& one, sdpd::SetState cons
 Table table_of(std::vector<MeasuredComponent> const& all, sdpd::SetState const& set, OutputUnits const& units,
                UnitSystem system) {
   Table table{.header = comparison_header(),
-              .rows = {},
               .caption = fmt::format("Means over the {} times at which they were measured, beside what "
                                      "equilibrium at the set state makes of them.",
                                      all.front().values.size())};

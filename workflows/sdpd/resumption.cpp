@@ -149,7 +149,8 @@ std::optional<std::string> difference(SceneKey const& key, Scene const& scene, V
                       : key.required || key.section == "method" ? std::nullopt
                                                                 : value_text(key, fresh),
              now = value_text(key, scene);
-  if (before == now)
+  bool const in_neither = known == stored.end() && !now; // a model has it in their place
+  if (before == now || in_neither)
     return std::nullopt;
   return fmt::format("{} was {} and is {}", key.path(), before.value_or("not given"),
                      now.value_or("not given"));

@@ -11,11 +11,8 @@ std::string drawing(std::string const& quantity, std::string const& key, Riemann
                     std::vector<double> const& ours, std::vector<double> const& exact,
                     OutputUnits const& units, std::string const& name) {
   auto const x = axis_of("z" + units.length_key), y = axis_of(quantity + key);
-  Plot plot{.name = drawing_name("riemann" + name + quantity),
-            .title = quantity + " and the exact solution",
-            .x = {.label = "position" + x.label.substr(1)},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = y.label;
+  auto plot = one_panel(drawing_name("riemann" + name + quantity), quantity + " and the exact solution",
+                        "position" + x.label.substr(1), y.label);
   auto const place = scaled(found.place, x.factor);
   plot.panels[0].series = {{.label = "exact",
                             .x = place,
@@ -41,7 +38,6 @@ Section riemann_section(RiemannComparison const& found, OutputUnits const& units
              P = exact_values(found, [](State at) { return at.state.P; }),
              T = exact_values(found, [](State at) { return at.state.T; });
   Table table{.header = {"quantity", "error L1", "of the largest exact value"},
-              .rows = {},
               .caption =
                   "Means of |particles - exact| over the part of the box that its ends have not disturbed."};
   for (auto const& [name, error, exact] : {std::tuple("density", found.rho_error, &rho),

@@ -61,7 +61,7 @@ class Rows {
 /// Means over the profiles in which a slice has enough particles for the quantity.
 Series mean_profile(Rows const& rows, Rows const& number, double least_number,
                     std::vector<double> const& position, double factor) {
-  Series series{.label = "", .x = {}, .y = {}, .y_error = {}};
+  Series series{.label = ""};
   for (std::size_t slice = 0; slice < rows.slices(); ++slice) {
     std::vector<double> values;
     for (std::size_t r = 0; r < rows.count(); ++r)
@@ -238,7 +238,7 @@ std::vector<Plot> histogram_plots(std::filesystem::path const& run_file, RunResu
     double total = outside;
     for (double const count : sum)
       total += count;
-    Series series{.label = "", .x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::steps};
+    Series series{.label = "", .style = SeriesStyle::steps};
     for (std::size_t b = 0; b < bins; ++b) {
       series.x.push_back((edges[b] + edges[b + 1]) / 2);
       series.y.push_back(sum[b] / (total * (edges[b + 1] - edges[b])));

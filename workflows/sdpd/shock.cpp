@@ -46,13 +46,16 @@ std::vector<sdpd::ShockFrame> by_motion(std::vector<sdpd::ShockFrame> frames, St
 }
 
 /// Means over the frames at equal distances from the front, with the spread of the frames as their error.
-void average_in_frame(ShockOfRun& shock, std::vector<sdpd::ShockFrame> const& frames,
-                      std::vector<double> const& position, double spacing) {
+void average_in_frame(ShockOfRun& shock, ShockData const& data) {
+  auto const& [position, v_P, spacing] = data.scale;
   double const width = position[1] - position[0];
+  std::array<std::vector<cg::Estimate>*, 5> const means{&shock.rho, &shock.P, &shock.T, &shock.velocity,
+                                                        &shock.T_motion};
   for (double depth = -60 * spacing; depth <= 20 * spacing; depth += width) {
-    std::array<std::vector<double>, 3> seen;
+    std::array<std::vector<double>, means.size()> seen;
     for (std::size_t k = 0; k < shock.measured.times.size(); ++k) {
-      auto const& frame = frames[shock.measured.frames[k]];
+      auto const taken = shock.measured.frames[k];
+      auto const &frame = data.frames[taken], &motion = data.by_motion[taken];
       double const at = shock.measured.fronts[k] + depth;
       if (at < frame.piston + 15 * spacing)
         continue;
@@ -61,40 +64,41 @@ void average_in_frame(ShockOfRun& shock, std::vector<sdpd::ShockFrame> const& fr
         continue;
       auto const s = static_cast<std::size_t>(place);
       double const part = place - static_cast<double>(s);
-      auto const& all = {&frame.rho, &frame.P, &frame.T};
       std::size_t q = 0;
-      for (auto const* values : all)
+      for (auto const* values : {&frame.rho, &frame.P, &frame.T, &frame.velocity, &motion.T})
         seen[q++].push_back((1 - part) * (*values)[s] + part * (*values)[s + 1]);
     }
     if (seen[0].size() < 16)
       continue;
     shock.depth.push_back(depth);
-    shock.rho.push_back(cg::estimate_mean(seen[0])), shock.P.push_back(cg::estimate_mean(seen[1])),
-        shock.T.push_back(cg::estimate_mean(seen[2]));
+    for (std::size_t q = 0; q < means.size(); ++q)
+      means[q]->push_back(cg::estimate_mean(seen[q]));
   }
 }
 
 } // namespace
 
-std::optional<ShockOfRun> shock_in(std::vector<sdpd::ShockFrame> const& frames,
-                                   sdpd::ShockScale const& scale) {
-  auto const steady = sdpd::steady_shock(frames, scale);
-  if (!steady)
+std::optional<ShockOfRun> shock_in(ShockData const& data) {
+  auto const steady = sdpd::steady_shock(data.frames, data.scale),
+             motion = sdpd::steady_shock(data.by_motion, data.scale);
+  if (!steady || !motion)
     return std::nullopt;
   ShockOfRun shock{.measured = *steady,
-                   .mass_per_volume = steady->rho,
-                   .T_kin = steady->T,
+                   .mass_per_volume = motion->rho,
+                   .T_kin = motion->T,
                    .exact = std::nullopt,
                    .depth = {},
                    .rho = {},
                    .P = {},
-                   .T = {}};
-  average_in_frame(shock, frames, scale.position, scale.spacing);
+                   .T = {},
+                   .velocity = {},
+                   .T_motion = {}};
+  average_in_frame(shock, data);
   return shock;
 }
 
-std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
-                                   sdpd::SimulationSettings const& settings) {
+std::optional<ShockData> shock_data_of(Store const& store, Scene const& scene,
+                                       sdpd::SimulationSettings const& settings) {
   OutputUnits const units(settings.units(), scene.units);
   bool const along = scene.profile.axis[0] - 'x' == moving_axis(scene);
   double const v_P =
@@ -107,14 +111,22 @@ std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
     if (!store.contains("profile/" + name))
       return std::nullopt;
   double const spacing = settings.spacing() * units.length;
-  sdpd::ShockScale const scale{store.read_doubles("profile/position" + units.length_key), v_P, spacing};
-  auto const frames = frames_of(store, scene, settings, scale.position.size());
-  auto shock = shock_in(frames, scale);
-  if (!shock)
+  ShockData data{.scale = {store.read_doubles("profile/position" + units.length_key), v_P, spacing},
+                 .frames = {},
+                 .by_motion = {}};
+  data.frames = frames_of(store, scene, settings, data.scale.position.size());
+  if (data.frames.empty())
     return std::nullopt;
-  shock->exact = shock_before_piston(settings);
-  auto const motion = sdpd::steady_shock(by_motion(frames, store, scene, settings), scale);
-  shock->mass_per_volume = motion->rho, shock->T_kin = motion->T;
+  data.by_motion = by_motion(data.frames, store, scene, settings);
+  return data;
+}
+
+std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
+                                   sdpd::SimulationSettings const& settings) {
+  auto const data = shock_data_of(store, scene, settings);
+  auto shock = data ? shock_in(*data) : std::nullopt;
+  if (shock)
+    shock->exact = shock_before_piston(settings);
   return shock;
 }
 
@@ -144,7 +156,7 @@ Plot in_the_frame(std::string const& quantity, std::string const& key, ShockOfRu
             .title = quantity + " in the frame of the front",
             .x = {.label = "distance from the front" + x.label.substr(1)},
             .panels = {Panel{}}};
-  Series series{.label = "", .x = scaled(shock.depth, x.factor), .y = {}, .y_error = {}};
+  Series series{.label = "", .x = scaled(shock.depth, x.factor)};
   for (auto const& value : values)
     series.y.push_back(value.mean * y.factor), series.y_error.push_back(value.se * y.factor);
   plot.panels[0].series = {std::move(series)};
@@ -156,9 +168,7 @@ Plot in_the_frame(std::string const& quantity, std::string const& key, ShockOfRu
 
 Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
   auto const x = axis_of("time" + units.time_key), y = axis_of("front" + units.length_key);
-  Plot plot{
-      .name = "shockfront", .title = "The way of the front", .x = {.label = x.label}, .panels = {Panel{}}};
-  plot.panels[0].y.label = y.label;
+  auto plot = one_panel("shockfront", "The way of the front", x.label, y.label);
   plot.panels[0].series = {{.label = "",
                             .x = scaled(shock.measured.times, x.factor),
                             .y = scaled(shock.measured.fronts, y.factor),
@@ -172,7 +182,6 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
   bool const si = !units.length_key.empty();
   Table table{
       .header = comparison_header(),
-      .rows = {},
       .caption =
           "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
           "and Hugoniot with the same equation of state. The front that all else refers to is where the "

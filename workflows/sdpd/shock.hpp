@@ -15,16 +15,25 @@ struct ShockOfRun {
   std::optional<fitting::Shock>
       exact;                 ///< by the relations of Rankine and Hugoniot of the scene's equation of state
   std::vector<double> depth; ///< distance from the front of the means over all frames, < 0 behind it
-  std::vector<cg::Estimate> rho, P, T;
+  std::vector<cg::Estimate> rho, P, T, velocity, T_motion;
 };
 
-/// The shock in some frames, in their units, without `exact`; its mass per volume is the frames' rho and
-/// T_kin their T. Nothing where it is not steady for long enough.
-std::optional<ShockOfRun> shock_in(std::vector<sdpd::ShockFrame> const& frames,
-                                   sdpd::ShockScale const& scale);
+/// What a shock is found in, in any one set of units: frames, and the same frames with the mass per volume
+/// and the temperature of the motion.
+struct ShockData {
+  sdpd::ShockScale scale;
+  std::vector<sdpd::ShockFrame> frames, by_motion;
+};
 
-/// Nothing where there is no piston, no profile of velocity, rho, T_int, T_kin and P along its way, or no
-/// steady shock.
+/// Without `exact`. Nothing where the shock is not steady for long enough.
+std::optional<ShockOfRun> shock_in(ShockData const& data);
+
+/// Of a run; nothing where there is no piston, or no profile of velocity, rho, T_int, T_kin and P along its
+/// way.
+std::optional<ShockData> shock_data_of(Store const& store, Scene const& scene,
+                                       sdpd::SimulationSettings const& settings);
+
+/// With `exact` where there is one. Nothing where there are no data, or no steady shock.
 std::optional<ShockOfRun> shock_of(Store const& store, Scene const& scene,
                                    sdpd::SimulationSettings const& settings);
 

@@ -53,7 +53,6 @@ std::string sentence_of(ShockRow const& md, std::vector<NamedShock> const& equat
 
 Section equations_section(ShockRow const* md, std::vector<NamedShock> const& equations) {
   Table table{.header = {"equation of state"},
-              .rows = {},
               .caption =
                   "By the relations of Rankine and Hugoniot, for the potential that molecular dynamics "
                   "has: cut, without a tail, for which the mean field of what lies beyond is taken "

@@ -36,6 +36,10 @@ std::string digits_of(ShockQuantity const& quantity, double si) {
   return number_text(si * quantity.factor, 5);
 }
 
+ShockData shock_data_of(PistonData const& data) {
+  return {data.scale, data.frames, data.molecules.empty() ? data.frames : data.molecules};
+}
+
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock) {
   auto const& m = shock.measured;
   ShockRow row{.model = "MD",
@@ -85,7 +89,7 @@ Json row_json(ShockRow const& row, PublishedTable const& printed, std::string co
 
 Table shock_table(std::vector<ShownRow> const& rows, std::vector<NamedShock> const& exact,
                   PublishedTable const& printed, std::string const& caption) {
-  Table table{.header = {"model", "K", "eta [Pa s]", "Re_l"}, .rows = {}, .caption = caption};
+  Table table{.header = {"model", "K", "eta [Pa s]", "Re_l"}, .caption = caption};
   for (auto const& q : shock_quantities()) {
     table.header.push_back(fmt::format("{} [{}]", q.name, q.unit));
     if (q.name == "rho")
@@ -166,7 +170,7 @@ Plot front_plot(std::string const& name, std::string const& title, std::vector<S
   panel.level_lines = {exact.ahead.rho, exact.behind.rho};
   auto const add = [&](std::string const& label, double unit, SeriesStyle style, std::size_t size,
                        auto const& at) {
-    Series series{.label = label, .x = {}, .y = {}, .y_error = {}, .style = style};
+    Series series{.label = label, .style = style};
     for (std::size_t k = 0; k < size; ++k)
       if (auto const [x, rho] = at(k); x / unit > *plot.x.min && x / unit < *plot.x.max)
         series.x.push_back(x / unit), series.y.push_back(rho);

@@ -8,6 +8,10 @@
 
 namespace mesobridge::workflows {
 
+/// What a run by molecular dynamics has found; the motion is that of the molecules' centres where atoms are
+/// bound.
+ShockData shock_data_of(PistonData const& data);
+
 /// The row of a run by molecular dynamics.
 ShockRow md_row(PistonData const& data, ShockOfRun const& shock);
 

@@ -13,7 +13,7 @@ std::string letters(std::string text) {
 
 Series points(SizeStudy const& study, std::string const& kernel, Treatment treatment,
               cg::Estimate FluidRun::*estimate, double unit) {
-  Series series{.label = label_of(treatment), .x = {}, .y = {}, .y_error = {}, .colour = int(treatment)};
+  Series series{.label = label_of(treatment), .colour = int(treatment)};
   for (auto const& run : study.runs)
     if (run.kernel == kernel && run.treatment == treatment) {
       series.x.push_back(run.K), series.y.push_back((run.*estimate).mean * unit);
@@ -23,12 +23,7 @@ Series points(SizeStudy const& study, std::string const& kernel, Treatment treat
 }
 
 Series printed(SizeStudy const& study, double ThesisMeans::*mean) {
-  Series series{.label = "thesis, Table 5.1",
-                .x = {},
-                .y = {},
-                .y_error = {},
-                .style = SeriesStyle::dashes,
-                .colour = 3};
+  Series series{.label = "thesis, Table 5.1", .style = SeriesStyle::dashes, .colour = 3};
   double const low = study.sizes.front(), high = study.sizes.back();
   constexpr int steps = 60;
   for (int k = 0; k <= steps; ++k) {

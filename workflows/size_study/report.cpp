@@ -64,7 +64,6 @@ VerdictLine target(SizeStudy const& study, std::string const& what, cg::Estimate
 Table sizes_table(SizeStudy const& study, std::string const& kernel) {
   Table table{.header = {"K", "treatment", "P [GPa]", "thesis", "rho [kg/m^3]", "thesis", "T_kin [K]",
                          "T_int [K]", "energy / EOS", "expected"},
-              .rows = {},
               .caption = fmt::format(
                   "Kernel {}; the equation of state has {:.4f} GPa at 1150 kg/m^3 and 1000 "
                   "K. Energy: kinetic and internal, over the equation of state's; expected: by the "
@@ -89,7 +88,6 @@ Table sizes_table(SizeStudy const& study, std::string const& kernel) {
 
 Table constants_table(SizeStudy const& study) {
   Table table{.header = {"kernel", "K", "scale c", "self term eps"},
-              .rows = {},
               .caption =
                   "Constants of rho_i = c sum_j m_j W_ij - eps m_i W_ii(0) with which mean density and "
                   "pressure are right, found on the fluid itself."};
@@ -102,7 +100,6 @@ Table constants_table(SizeStudy const& study) {
 
 Table elsewhere_table(SizeStudy const& study) {
   Table table{.header = {"constants and state", "P / EOS", "rho / set"},
-              .rows = {},
               .caption =
                   "The same constants where they were not found: in a shocked state, 1.34 times the "
                   "density and the temperature at the same support of the kernel, and at other sizes."};
@@ -113,7 +110,6 @@ Table elsewhere_table(SizeStudy const& study) {
 
 Table structure_table(SizeStudy const& study) {
   Table table{.header = {"kernel", "neighbours nearer than half a spacing"},
-              .rows = {},
               .caption = "Pairing: mean number of neighbours nearer than half of the mean spacing."};
   for (auto const& structure : study.structures)
     table.rows.push_back({structure.kernel, number_text(structure.pairs)});

@@ -208,4 +208,14 @@ BlobData read_blobs(std::filesystem::path const& file) {
   return data;
 }
 
+std::vector<Vec3> read_blob_forces(std::filesystem::path const& file) {
+  Store const store(file, Store::Mode::read);
+  refuse_other(store, file);
+  if (!store.contains("blobs/F"))
+    throw InputError(fmt::format("'{}' holds no forces on its molecules (blobs/F)", file.string()));
+  auto const molecules = std::size_t(read_head(store).molecules);
+  return vectors_of(store.read_doubles(
+      "blobs/F", {.rows = store.rows("frames/step"), .row_shape = Store::Shape{molecules, 3}}));
+}
+
 } // namespace mesobridge::workflows

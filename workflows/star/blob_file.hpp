@@ -14,12 +14,12 @@ struct BlobFileHead {
   int molecules = 0;
   int atoms = 0; ///< of a molecule
   double mass = 0;
-  double rho = 0;           ///< atoms per volume; 0: isolated molecules
-  double T = 0;             ///< of the thermostat; 0: none or several
-  std::vector<double> set;  ///< vacuum: the temperature (or the energy) set for each molecule
-  std::string units = "lj"; ///< LAMMPS's unit style; masses are consistent ones (see UnitStyle)
-  std::string walls{};      ///< the axes, "z" say, along which the box is not periodic
-  std::string time_unit{};  ///< "steps" where the trajectory says no time; otherwise that of the unit style
+  double rho = 0;            ///< atoms per volume; 0: isolated molecules
+  double T = 0;              ///< of the thermostat; 0: none or several
+  std::vector<double> set{}; ///< vacuum: the temperature (or the energy) set for each molecule
+  std::string units = "lj";  ///< LAMMPS's unit style; masses are consistent ones (see UnitStyle)
+  std::string walls{};       ///< the axes, "z" say, along which the box is not periodic
+  std::string time_unit{};   ///< "steps" where the trajectory says no time; otherwise that of the unit style
 };
 
 /// What a file says about itself goes into the group "settings" and comes from there.
@@ -81,5 +81,8 @@ std::string units_text(BlobFileHead const& head);
 /// Throws InputError if the file is missing, holds something else, columns of different lengths or values
 /// that cannot be.
 BlobData read_blobs(std::filesystem::path const& file);
+
+/// The net forces on the blobs of such a file. Throws InputError if it has none.
+std::vector<Vec3> read_blob_forces(std::filesystem::path const& file);
 
 } // namespace mesobridge::workflows

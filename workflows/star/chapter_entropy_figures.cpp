@@ -82,7 +82,7 @@ Plot figure_3_8(Melts const& melts) {
   for (auto const& [name, label] :
        {Route{"melt", "melt"}, Route{"vacuum", "vacuum"}, Route{"melt_kinetic", "melt, kinetic"},
         Route{"vacuum_kinetic", "vacuum, kinetic"}}) {
-    Series series{.label = label, .x = {}, .y = {}, .y_error = {}, .colour = colour};
+    Series series{.label = label, .colour = colour};
     for (auto const* const melt : melts) {
       auto const C = melt->entropy.curve(name)->C;
       series.x.push_back(melt->rho + side_by_side * colour);

@@ -81,7 +81,6 @@ std::vector<VerdictLine> verdicts(Chapter const& chapter) {
 Section momenta_section(ChapterMelt const& melt) {
   auto const& c = melt.correlations;
   Table table{.header = comparison_header(),
-              .rows = {},
               .caption =
                   fmt::format("{} stars at rho = {}. The thesis, for 6-3 stars at 0.3, gives no errors.",
                               melt.star.name(), melt.rho)};
@@ -115,7 +114,6 @@ Section entropy_section(Chapter const& chapter) {
   auto const& melt = chapter.melts.front();
   auto const& routes = melt.entropy;
   Table table{.header = {"route", "C", "change with one order more", "T"},
-              .rows = {},
               .caption = fmt::format("{} stars at rho = {}; everything at U = {:.4g}.", melt.star.name(),
                                      melt.rho, routes.U_mean)};
   for (auto const& [route, name] : {std::pair{"melt", "melt: ln P(U) + beta U"},
@@ -168,7 +166,6 @@ Section positions_section(Chapter const& chapter) {
   section.content.emplace_back(Figure{{draw_svg(figure_3_11(melt)), draw_svg(figure_3_12(melt))},
                                       "Figures 3.11 and 3.12, the latter in bins of equally many samples."});
   Table tests{.header = {"test", "deviation", "standard error", "in standard errors", ""},
-              .rows = {},
               .caption =
                   fmt::format("The key approximation, {} stars at rho = {}.", melt.star.name(), melt.rho)};
   for (auto const& test : melt.correlations.tests)
@@ -195,7 +192,6 @@ Section larger_section(Chapter const& chapter) {
 Section melts_section(Chapter const& chapter) {
   Table table{
       .header = {"melt", "rho", "beta", "C_KU", "C_UD", "contact energy", "C melt", "C vacuum", "difference"},
-      .rows = {},
       .caption = "C_UD and <U1 U2>^r/<U>^2 of pairs in contact by configurational energies."};
   for (auto const& melt : chapter.melts) {
     auto const& c = melt.correlations;

@@ -44,11 +44,11 @@ cg::BlobSeries series_of(BlobData data) {
   cg::BlobSeries series{.molecules = std::size_t(data.head.molecules),
                         .atoms = data.head.atoms,
                         .mass = data.head.mass,
+                        .free_atoms = data.head.T > 0, // a melt of our own
                         .times = std::move(data.times),
                         .boxes = std::move(data.boxes),
                         .R = std::move(data.R),
                         .P = std::move(data.P),
-                        .U = {},
                         .U_kin = std::move(data.U_kin)};
   for (std::size_t k = 0; k < series.U_kin.size(); ++k)
     series.U.push_back(series.U_kin[k] + data.U_pot[k]);

@@ -25,6 +25,8 @@ DumpColumns::DumpColumns(std::string_view names, DumpLines const& lines) {
       lines.refuse(
           fmt::format("the dump has no column {}: momenta and kinetic energies need vx vy vz", name));
   v = {*find("vx"), *find("vy"), *find("vz")};
+  if (find("fx") && find("fy") && find("fz"))
+    f = {*find("fx"), *find("fy"), *find("fz")};
 }
 
 std::optional<std::size_t> DumpColumns::find(std::string const& name) const {

@@ -16,7 +16,8 @@ class DumpColumns {
   std::size_t id = 0;
   std::optional<std::size_t> molecule, type, mass, potential;
   std::array<std::size_t, 3> q{}, v{};
-  bool scaled = false; ///< positions in parts of the box's edges
+  std::optional<std::array<std::size_t, 3>> f; ///< forces, if all three are there
+  bool scaled = false;                         ///< positions in parts of the box's edges
 
  private:
   std::optional<std::size_t> find(std::string const& name) const;

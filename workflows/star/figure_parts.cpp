@@ -4,14 +4,12 @@
 namespace mesobridge::workflows {
 
 Plot framed_plot(std::string name, std::string title, std::string x, std::string y) {
-  Plot plot{
-      .name = std::move(name), .title = std::move(title), .x = {.label = std::move(x)}, .panels = {Panel{}}};
-  plot.panels[0].y.label = std::move(y);
+  auto plot = one_panel(std::move(name), std::move(title), std::move(x), std::move(y));
   return plot;
 }
 
 Series points_of(cg::Profile const& profile, std::string label, int colour) {
-  Series series{.label = std::move(label), .x = profile.x, .y = {}, .y_error = {}, .colour = colour};
+  Series series{.label = std::move(label), .x = profile.x, .colour = colour};
   for (auto const& y : profile.y) {
     series.y.push_back(y.mean);
     series.y_error.push_back(y.se);

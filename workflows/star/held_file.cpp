@@ -4,10 +4,14 @@
 namespace mesobridge::workflows {
 namespace {
 
+bool is_held(Store const& store) {
+  bool const may_be = store.contains("settings") && store.has_attribute("settings", "kind") &&
+                      store.has_attribute("settings", "frames_of_each");
+  return may_be && store.read_text_attribute("settings", "kind") == "held";
+}
+
 void refuse_not_held(Store const& store, std::filesystem::path const& file) {
-  bool const held = store.contains("settings") && store.has_attribute("settings", "kind") &&
-                    store.has_attribute("settings", "frames_of_each");
-  if (!held || store.read_text_attribute("settings", "kind") != "held")
+  if (!is_held(store))
     throw InputError(fmt::format(
         "'{}' holds no molecules whose centres were held: `md held-blobs` makes such files", file.string()));
 }
@@ -76,6 +80,10 @@ void HeldFile::append(cg::BlobFrame const& frame) {
   add("blobs/U_kin", row_of(frame, &cg::Blob::U_kin), {n});
   add("blobs/U_pot", row_of(frame, &cg::Blob::U_pot), {n});
   add("blobs/Phi", row_of(frame, &cg::Blob::Phi), {n});
+}
+
+bool holds_held(std::filesystem::path const& file) {
+  return is_held(Store(file, Store::Mode::read));
 }
 
 HeldData read_held(std::filesystem::path const& file) {

@@ -42,6 +42,9 @@ struct HeldData {
   std::size_t whole_configurations() const { return steps.size() / frames_of_each; }
 };
 
+/// Whether a file holds molecules that were held, or something else. Throws InputError if it is missing.
+bool holds_held(std::filesystem::path const& file);
+
 /// Throws InputError if the file is missing, holds something else, columns of different lengths or values
 /// that cannot be.
 HeldData read_held(std::filesystem::path const& file);

@@ -11,7 +11,7 @@ namespace {
 struct Atom {
   std::int64_t id = 0, molecule = 0, type = 0;
   double mass = 0;
-  Vec3 q, v;
+  Vec3 q, v, f;
 };
 
 class DumpReader {
@@ -159,8 +159,11 @@ class DumpReader {
       frame.potential_energy = potential;
     std::ranges::sort(atoms, {}, [](Atom const& atom) { return std::pair(atom.molecule, atom.id); });
     check_molecules(atoms, columns);
-    for (auto const& atom : atoms)
+    for (auto const& atom : atoms) {
       frame.q.push_back(atom.q), frame.v.push_back(atom.v), frame.ids.push_back(atom.id);
+      if (columns.f)
+        frame.f.push_back(atom.f);
+    }
   }
 
   Atom atom_of(std::vector<std::string_view> const& words, DumpColumns const& columns, Vec3 const& low,
@@ -182,6 +185,8 @@ class DumpReader {
     auto const q = vector(columns.q, "position");
     atom.q = columns.scaled ? Vec3{q.x * box.edge.x, q.y * box.edge.y, q.z * box.edge.z} : q - low;
     atom.v = vector(columns.v, "velocity");
+    if (columns.f)
+      atom.f = vector(*columns.f, "force");
     constexpr double most_edges = 1e6; // farther away a position has lost the digits that tell its neighbours
     if (!(std::max({std::abs(atom.q.x / box.edge.x), std::abs(atom.q.y / box.edge.y),
                     std::abs(atom.q.z / box.edge.z)}) < most_edges))

@@ -14,15 +14,7 @@ HeldFile open_held(HeldJob const& job, double mass, Context const& context) {
   auto const& s = job.settings;
   if (job.resume && std::filesystem::exists(job.blobs()))
     return HeldFile::continue_file(job.blobs(), s.fingerprint());
-  BlobFileHead const head{.kind = "held",
-                          .name = s.star.name(),
-                          .fingerprint = s.fingerprint(),
-                          .molecules = s.molecules,
-                          .atoms = s.star.atoms(),
-                          .mass = mass,
-                          .rho = s.rho,
-                          .T = s.T,
-                          .set = {}};
+  auto const head = stars_head("held", s, mass, s.rho, s.T);
   return {job.blobs(), head, md::frames_of_each(s),
           Provenance{.command = context.command_line(), .seed = s.seed, .scene = "", .inputs = {}}};
 }
@@ -112,14 +104,9 @@ void sample_held(HeldJob const& job, Context const& context) {
 }
 
 std::vector<std::string> words_of(HeldJob const& job) {
-  auto call = words_of_stars("held-blobs", job);
-  auto const& s = job.settings;
-  call.add("--rho", s.rho);
-  call.add("--T", s.T);
-  call.add("--friction", s.friction);
-  call.add("--squeeze-steps", s.squeeze_steps);
-  call.add("--configurations", s.configurations);
-  call.add("--free-steps", s.free_steps);
+  auto call = words_of_melt("held-blobs", job);
+  call.add("--configurations", job.settings.configurations);
+  call.add("--free-steps", job.settings.free_steps);
   return call.words;
 }
 

@@ -8,25 +8,14 @@ namespace mesobridge::workflows {
 
 namespace {
 
-BlobFileHead head_of(md::StarMeltSettings const& settings, double mass) {
-  return {.kind = "melt",
-          .name = settings.star.name(),
-          .fingerprint = settings.fingerprint(),
-          .molecules = settings.molecules,
-          .atoms = settings.star.atoms(),
-          .mass = mass,
-          .rho = settings.rho,
-          .T = settings.T,
-          .set = {}};
-}
-
 bool run_melt(md::MpiWorld const& world, MeltJob const& job, Context const& context) {
   cg::BlobMaker maker(cg::model_of(job.settings.star));
   std::optional<MeltFiles> files;
   std::optional<Progress> progress;
   if (world.is_root()) {
     files.emplace(
-        job.settings.directory, job.resume, head_of(job.settings, maker.model().mass()),
+        job.settings.directory, job.resume,
+        stars_head("melt", job.settings, maker.model().mass(), job.settings.rho, job.settings.T),
         Provenance{.command = context.command_line(), .seed = job.settings.seed, .scene = "", .inputs = {}});
     progress.emplace(context.progress(
         fmt::format("melt of {} stars at rho = {}", job.settings.star.name(), job.settings.rho), 1));
@@ -50,13 +39,7 @@ void sample_melt(MeltJob const& job, Context const& context) {
 }
 
 std::vector<std::string> words_of(MeltJob const& job) {
-  auto call = words_of_stars("star-melt", job);
-  auto const& s = job.settings;
-  call.add("--rho", s.rho);
-  call.add("--T", s.T);
-  call.add("--friction", s.friction);
-  call.add("--squeeze-steps", s.squeeze_steps);
-  return call.words;
+  return words_of_melt("star-melt", job).words;
 }
 
 void sample_melt_on_ranks(MeltJob const& job, Context const& context) {

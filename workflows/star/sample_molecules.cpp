@@ -21,7 +21,6 @@ BlobFileHead molecules_head(md::MoleculeMelt const& melt, double mass, double bo
           .mass = mass,
           .rho = melt.protocol().rho,
           .T = boltzmann * melt.protocol().T,
-          .set = {},
           .units = melt.system().units};
 }
 

@@ -17,15 +17,7 @@ std::string kind_of(md::StarVacuumSettings const& settings) {
 }
 
 BlobFileHead head_of(md::StarVacuumSettings const& settings, double mass) {
-  BlobFileHead head{.kind = kind_of(settings),
-                    .name = settings.star.name(),
-                    .fingerprint = settings.fingerprint(),
-                    .molecules = settings.molecules,
-                    .atoms = settings.star.atoms(),
-                    .mass = mass,
-                    .rho = 0,
-                    .T = 0,
-                    .set = {}};
+  auto head = stars_head(kind_of(settings), settings, mass, 0, 0);
   for (int m = 0; m < settings.molecules; ++m)
     head.set.push_back(settings.level(m));
   return head;

@@ -3,6 +3,7 @@
 #include "md/mpi_world.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/ranks.hpp"
+#include "workflows/star/blob_file.hpp"
 #include "workflows/summary.hpp"
 
 /// What the samplings of melts and of isolated molecules share. A Job has its settings, whether it goes on
@@ -23,6 +24,19 @@ void sample_stars(Job const& job, Context const& context, Run const& run, Summar
           fmt::format("interrupted; --resume goes on from '{}'", job.settings.restart_file().string()));
     write_summary(job.summary(), summary(job));
   });
+}
+
+/// What a file of blobs says of the stars of such settings.
+template <class Settings>
+BlobFileHead stars_head(std::string kind, Settings const& s, double mass, double rho, double T) {
+  return {.kind = std::move(kind),
+          .name = s.star.name(),
+          .fingerprint = s.fingerprint(),
+          .molecules = s.molecules,
+          .atoms = s.star.atoms(),
+          .mass = mass,
+          .rho = rho,
+          .T = T};
 }
 
 /// Shows how far a run is, and stops it for the user. Only rank 0 has a progress and is asked.
@@ -70,6 +84,17 @@ CallWords words_of_stars(char const* command, Job const& job) {
   call.add("-o", s.directory.string());
   if (job.resume)
     call.words.emplace_back("--resume");
+  return call;
+}
+
+/// The same of melts.
+template <class Job>
+CallWords words_of_melt(char const* command, Job const& job) {
+  auto call = words_of_stars(command, job);
+  auto const& s = job.settings;
+  for (auto const& [option, value] : {std::pair("--rho", s.rho), {"--T", s.T}, {"--friction", s.friction}})
+    call.add(option, value);
+  call.add("--squeeze-steps", s.squeeze_steps);
   return call;
 }
 

@@ -18,6 +18,7 @@ struct TrajectoryFrame {
   Box box;
   std::array<bool, 3> periodic{true, true, true}; ///< false: a wall or open; nothing acts across it
   std::vector<Vec3> q, v;
+  std::vector<Vec3> f{};                    ///< forces on the atoms; empty: the file has none
   std::optional<double> potential_energy{}; ///< of the whole system, as the file says it
   std::vector<std::int64_t> ids{};          ///< empty: the file has none
 
@@ -37,10 +38,11 @@ struct TrajectoryReading {
 };
 
 /// Hands over the frames of a LAMMPS text dump (columns id, x y z or xu yu zu or xs ys zs or xsu ysu zsu, vx
-/// vy vz; `mol` if molecules are not runs of consecutive ids; others are not needed) or of an H5MD file
-/// (position, velocity and box/edges of one group of particles, each with its own steps: the frames that have
-/// all of them). What the file says about units, times, boundaries and ids is taken; a step that stands there
-/// once more is left out, with a warning, as is a last frame that is not whole.
+/// vy vz; fx fy fz if forces are wanted; `mol` if molecules are not runs of consecutive ids; others are not
+/// needed) or of an H5MD file (position, velocity and box/edges of one group of particles, each with its own
+/// steps: the frames that have all of them). What the file says about units, times, boundaries and ids is
+/// taken; a step that stands there once more is left out, with a warning, as is a last frame that is not
+/// whole.
 ///
 /// Throws InputError that names the file, the line or the element, and what is missing: a tilted box, values
 /// that are not finite, steps that decrease, units that contradict the mapping's, atoms of no whole molecule.

@@ -65,7 +65,6 @@ Table trial_table(TradeOff const& found, double K) {
       .header = {"scheme", "dt", fmt::format("us / particle {}", time_name(units)),
                  fmt::format("drift [1/{}]", time_name(units)), "bias T_kin [%]", "bias T_int [%]",
                  "bias P [%]", "bias var eps [%]", "eps error (4.18)", "its noise", "rejected [%]"},
-      .rows = {},
       .caption =
           found.scene.features().energies
               ? "dt in reduced units. Bias: against the trial of the exact scheme with the shortest time "
@@ -100,7 +99,6 @@ Table trial_table(TradeOff const& found, double K) {
 
 Table limit_table(TradeOff const& found, double K) {
   Table table{.header = {"scheme", "largest stable dt", "smallest failing dt", "drift exponent", "points"},
-              .rows = {},
               .caption =
                   "Stable: a run of 50 reduced units of time goes through and its kinetic temperature stays "
                   "below twice the set one. The drift is taken as C dt^n."};

@@ -96,7 +96,7 @@ double shown_lags(TransportResult const& ours, TransportResult const& other) {
 /// Of this fluid points with errors, of the one beside it a line.
 Series curve(TransportResult const& of, std::vector<cg::Estimate> const& values, double last, bool per_time,
              SeriesStyle style) {
-  Series series{.label = of.name, .x = {}, .y = {}, .y_error = {}, .style = style};
+  Series series{.label = of.name, .style = style};
   auto const count = std::size_t(std::ranges::upper_bound(of.lag, last * (1 + 1e-9)) - of.lag.begin());
   std::size_t const step = 1 + count / most_points;
   for (std::size_t k = per_time ? 1 : 0; k < count; k += step) {
@@ -159,18 +159,12 @@ std::string beside_text(TransportResult const& ours, TransportResult const& othe
 }
 
 Section beside_section(TransportResult const& ours, TransportResult const& other) {
-  Table table{
-      .header = {"", ours.name, other.name, "difference", "in standard errors"}, .rows = {}, .caption = {}};
+  Table table{.header = {"", ours.name, other.name, "difference", "in standard errors"}};
   for (auto const& pair : pairs_of(ours, other))
     table.rows.push_back({pair.what, with_error_text(pair.ours), with_error_text(pair.other),
                           fmt::format("{:+.1f} %", 100 * (pair.ours.mean / pair.other.mean - 1)),
                           fmt::format("{:+.1f}", pair.difference_in_se())});
-  Plot velocities{.name = "velocitiesbeside",
-                  .title = "Correlation of the velocities",
-                  .x = {.label = "t"},
-                  .panels = {Panel{}}};
-  velocities.panels[0].y.label = "C(t)/C(0)";
-  velocities.panels[0].level_lines = {0};
+  auto velocities = one_panel("velocitiesbeside", "Correlation of the velocities", "t", "C(t)/C(0)", {0});
   double const shown = shown_lags(ours, other);
   velocities.panels[0].series = {curve(ours, ours.velocity, shown, false, SeriesStyle::points),
                                  curve(other, other.velocity, shown, false, SeriesStyle::lines)};

@@ -13,7 +13,7 @@ constexpr std::size_t most_curve_lags = 200;
 /// Every so many lags, so that a curve has at most so many points, from the first on.
 Series curve_of(cg::Diffusion const& found, std::string label,
                 std::function<cg::Estimate(std::size_t)> const& of, std::size_t first, std::size_t last) {
-  Series series{.label = std::move(label), .x = {}, .y = {}, .y_error = {}};
+  Series series{.label = std::move(label)};
   std::size_t const step = std::max<std::size_t>(1, (last - first) / most_curve_lags);
   for (std::size_t k = first; k <= last; k += step) {
     auto const at = of(k);
@@ -46,12 +46,7 @@ Figure displacements(cg::Diffusion const& found) {
 }
 
 Figure velocities(cg::Diffusion const& found) {
-  Plot plot{.name = "velocities",
-            .title = "Correlation of the velocities",
-            .x = {.label = "t"},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = "C(t)/C(0)";
-  plot.panels[0].level_lines = {0};
+  auto plot = one_panel("velocities", "Correlation of the velocities", "t", "C(t)/C(0)", {0});
   std::size_t shown = 1; // until it has died away
   while (shown + 1 < found.lag.size() &&
          found.lag[shown] < 12 * found.decay.value_or(cg::Estimate{found.lag.back()}).mean)

@@ -26,12 +26,8 @@ Json wave_json(cg::WaveViscosity const& wave) {
 
 /// Points with errors and the fit through them, in one colour.
 void add_decay(Panel& panel, cg::WaveViscosity const& wave, double interval, int colour) {
-  Series points{.label = fmt::format("k = {}", number_text(wave.k, 4)),
-                .x = {},
-                .y = {},
-                .y_error = {},
-                .colour = colour};
-  Series line{.label = {}, .x = {}, .y = {}, .y_error = {}, .style = SeriesStyle::lines, .colour = colour};
+  Series points{.label = fmt::format("k = {}", number_text(wave.k, 4)), .colour = colour};
+  Series line{.label = {}, .style = SeriesStyle::lines, .colour = colour};
   std::size_t const step = 1 + wave.correlation.size() / most_points_drawn;
   for (std::size_t lag = 0; lag < wave.correlation.size(); ++lag) {
     double const t = double(lag) * interval;
@@ -46,24 +42,16 @@ void add_decay(Panel& panel, cg::WaveViscosity const& wave, double interval, int
 }
 
 std::string decays(cg::Viscosity const& found) {
-  Plot plot{.name = "transverse",
-            .title = "Correlation of transverse currents",
-            .x = {.label = "t"},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = "C(k,t)/C(k,0)";
-  plot.panels[0].level_lines = {0};
+  auto plot = one_panel("transverse", "Correlation of transverse currents", "t", "C(k,t)/C(k,0)", {0});
   for (std::size_t w = 0; w < std::min(found.waves.size(), most_waves_drawn); ++w)
     add_decay(plot.panels[0], found.waves[w], found.interval, int(w));
   return draw_svg(plot);
 }
 
 std::string over_wave_vectors(cg::Viscosity const& found) {
-  Plot plot{.name = "viscosity",
-            .title = "Viscosity over the wave vector",
-            .x = {.label = "k^2", .min = 0},
-            .panels = {Panel{}}};
-  plot.panels[0].y.label = "η(k)";
-  Series points{.label = "by the decay of each length of waves", .x = {}, .y = {}, .y_error = {}};
+  auto plot = one_panel("viscosity", "Viscosity over the wave vector", "k^2", "η(k)");
+  plot.x.min = 0;
+  Series points{.label = "by the decay of each length of waves"};
   double last = 0;
   for (auto const& wave : found.waves) {
     last = std::max(last, wave.k * wave.k);
@@ -83,7 +71,6 @@ std::string over_wave_vectors(cg::Viscosity const& found) {
 
 Table table_of(cg::Viscosity const& found) {
   Table table{.header = {"k", "vectors", "η(k)", "η(k), by the integral", "memory", "k_B T of the currents"},
-              .rows = {},
               .caption = fmt::format("The line η + b k² misses them by χ² = {} with {} degrees of freedom.",
                                      number_text(found.chi2, 3), found.waves.size() - 2)};
   for (auto const& wave : found.waves)

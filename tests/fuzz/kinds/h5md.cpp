@@ -1,4 +1,5 @@
 #include "workflows/h5md.hpp"
+#include "chain_mapping.hpp"
 #include "fuzz/change_hdf5.hpp"
 #include "fuzz/change_text.hpp"
 #include "fuzz/kinds/kinds.hpp"
@@ -8,28 +9,7 @@
 namespace mesobridge::fuzz {
 
 void Molecules::write_mapping(std::filesystem::path const& file) {
-  workflows::write_text_file(file, R"(format = "mesobridge mapping 1"
-name = "tetramer"
-atoms = 4
-masses = [1.0, 1.0, 1.0, 1.0]
-
-[bonds]
-count = 3
-a = [1, 2, 3]
-b = [2, 3, 4]
-k = [50.0, 50.0, 50.0]
-l = [1.0, 1.0, 1.0]
-
-[pairs]
-count = 1
-type_a = [1]
-type_b = [1]
-epsilon = [1.0]
-sigma = [1.0]
-cutoff = [1.122462048309373]
-shifted = "yes"
-bonded = "yes"
-)");
+  workflows::write_text_file(file, tests::chain_mapping("tetramer", 4, 50, 1));
 }
 
 namespace {

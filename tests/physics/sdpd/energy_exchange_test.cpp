@@ -17,15 +17,7 @@ cg::BlobSeries particles_that_conduct() {
   Simulation simulation(settings);
   simulation.draw_temperatures();
   simulation.advance(500);
-  cg::BlobSeries series{.molecules = simulation.size(),
-                        .atoms = 1,
-                        .mass = 1,
-                        .times = {},
-                        .boxes = {},
-                        .R = {},
-                        .P = {},
-                        .U = {},
-                        .U_kin = {}};
+  cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1};
   for (int instant = 0; instant < 5000; ++instant) {
     simulation.advance(1);
     auto const now = simulation.snapshot();

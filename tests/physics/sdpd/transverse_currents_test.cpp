@@ -10,15 +10,7 @@ namespace {
 cg::BlobSeries motion_of(SimulationSettings const& settings, int frames, std::uint64_t between) {
   Simulation simulation(settings);
   simulation.advance(600);
-  cg::BlobSeries series{.molecules = simulation.size(),
-                        .atoms = 1,
-                        .mass = 1,
-                        .times = {},
-                        .boxes = {},
-                        .R = {},
-                        .P = {},
-                        .U = {},
-                        .U_kin = {}};
+  cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1};
   for (int frame = 0; frame < frames; ++frame) {
     simulation.advance(between);
     auto const now = simulation.snapshot();

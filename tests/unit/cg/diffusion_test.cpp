@@ -21,15 +21,7 @@ struct Langevin {
     std::mt19937_64 generator(seed);
     std::normal_distribution<double> G;
     Box const box{{edge, edge, edge}};
-    BlobSeries all{.molecules = molecules,
-                   .atoms = 1,
-                   .mass = mass,
-                   .times = {},
-                   .boxes = {},
-                   .R = {},
-                   .P = {},
-                   .U = {},
-                   .U_kin = {}};
+    BlobSeries all{.molecules = molecules, .atoms = 1, .mass = mass};
     // The joint law of the velocity's and the place's noise over one step.
     double const a = std::exp(-gamma * dt), vv = kT / mass * (1 - a * a),
                  xx = kT / mass / (gamma * gamma) * (2 * gamma * dt - 3 + 4 * a - a * a),

@@ -53,15 +53,7 @@ struct HydrodynamicModes {
     std::mt19937_64 generator(seed);
     Box const box{edge};
     std::size_t const N = std::size_t(sites * sites * sites);
-    BlobSeries all{.molecules = N,
-                   .atoms = 1,
-                   .mass = mass,
-                   .times = {},
-                   .boxes = {},
-                   .R = {},
-                   .P = {},
-                   .U = {},
-                   .U_kin = {}};
+    BlobSeries all{.molecules = N, .atoms = 1, .mass = mass};
     std::vector<Vec3> place;
     for (int x = 0; x < sites; ++x)
       for (int y = 0; y < sites; ++y)

@@ -103,7 +103,7 @@ TEST(InverseBoltzmann, TakesPressureAway) {
   double const density = 0.4, excess = 0.02;
   auto const g = bins_of([](double r) { return std::exp(-u_of(r) / kT); });
   auto const before = boltzmann_potential(g, settings());
-  auto const after = with_less_pressure(before, g, density, excess, kT);
+  auto const after = with_less_pressure(before, g, density, excess, 0.1 * kT);
   // P = rho kT - (2 pi/3) rho^2 int r^3 u' g dr, at the bins' edges
   auto const pressure = [&](PairPotential const& of) {
     double sum = 0;
@@ -112,8 +112,25 @@ TEST(InverseBoltzmann, TakesPressureAway) {
     return -2 * std::numbers::pi / 3 * density * density * sum;
   };
   EXPECT_NEAR(pressure(before) - pressure(after), excess, 0.05 * excess); // without the last half bin
-  auto const much = with_less_pressure(before, g, density, 100, kT);
+  auto const much = with_less_pressure(before, g, density, 100, 0.1 * kT);
   EXPECT_NEAR(before.u[0] - much.u[0], 0.1 * kT * (1 - 0.5 * width / cutoff), 1e-12);
+}
+
+// The inversion's own change of the pressure is undone, but for what was to be changed; beyond 0.3 kT of the
+// ramp the pressure stays behind.
+TEST(InverseBoltzmann, ComesToAPressureWhileItInverts) {
+  double const density = 0.4;
+  auto const target = bins_of([](double r) { return std::exp(-u_of(r) / kT); }),
+             now = bins_of([](double r) { return std::exp(-1.1 * u_of(r) / kT); });
+  auto const before = boltzmann_potential(now, settings());
+  for (double const excess : {-0.02, 0.0, 0.02}) {
+    auto const after = inverted_at_pressure(before, target, now, settings(), density, excess);
+    EXPECT_NEAR(pressure_change(before, after, now, density), -excess, 2e-3) << excess;
+  }
+  auto const alone = inverted(before, target, now, settings()),
+             far = inverted_at_pressure(before, target, now, settings(), density, 100);
+  EXPECT_GT(std::abs(pressure_change(before, alone, now, density)), 0.01);
+  EXPECT_GT(pressure_change(before, far, now, density), -10);
 }
 
 TEST(InverseBoltzmann, RefusesByName) {

@@ -59,19 +59,23 @@ inline void write_many_blobs(std::filesystem::path const& file, std::string cons
   blobs.close();
 }
 
+/// Of a file of held 6-3 stars.
+inline workflows::BlobFileHead held_head(int molecules) {
+  return {.kind = "held",
+          .name = "6-3",
+          .fingerprint = "test",
+          .molecules = molecules,
+          .atoms = 19,
+          .mass = 19,
+          .rho = 0.3,
+          .T = 1};
+}
+
 /// Forces on held molecules, without any between pairs.
 inline void write_many_held(std::filesystem::path const& file, int molecules, int configurations,
                             int frames) {
-  workflows::BlobFileHead const head{.kind = "held",
-                                     .name = "6-3",
-                                     .fingerprint = "test",
-                                     .molecules = molecules,
-                                     .atoms = 19,
-                                     .mass = 19,
-                                     .rho = 0.3,
-                                     .T = 1,
-                                     .set = {}};
-  workflows::HeldFile held(file, head, frames, {.command = "test", .seed = 1, .scene = "", .inputs = {}});
+  workflows::HeldFile held(file, held_head(molecules), frames,
+                           {.command = "test", .seed = 1, .scene = "", .inputs = {}});
   RandomBlobs random(std::cbrt(19 * molecules / 0.3), 5);
   std::mt19937_64 bits(3);
   std::normal_distribution<double> normal;

@@ -1,5 +1,6 @@
 #include "cg/molecule_model.hpp"
 #include "program.hpp"
+#include "same_blobs.hpp"
 #include "scratch_directory.hpp"
 #include "unit/workflows/killed_process.hpp"
 #include "workflows/star/blob_file.hpp"
@@ -107,14 +108,8 @@ TEST(Molecules, DoNotDependOnTheNumberOfRanks) {
     auto const result = call(ranks, "40", {"--resume"});
     ASSERT_EQ(result.status, 0) << result.errors;
   }
-  auto const one = read_blobs(scratch / "1" / "blobs.h5"), two = read_blobs(scratch / "2" / "blobs.h5");
-  ASSERT_EQ(one.R.size(), 2u * 64);
-  ASSERT_EQ(two.R.size(), one.R.size());
-  for (std::size_t k = 0; k < one.R.size(); ++k) {
-    EXPECT_LT(norm(one.boxes[0].minimum_image(one.R[k] - two.R[k])), 1e-9);
-    EXPECT_NEAR(one.U(k), two.U(k), 1e-7);
-    EXPECT_NEAR(one.Phi[k], two.Phi[k], 1e-7);
-  }
+  tests::expect_same_blobs(read_blobs(scratch / "1" / "blobs.h5"), read_blobs(scratch / "2" / "blobs.h5"),
+                           2u * 64, 1e-7);
 }
 
 TEST(Molecules, ThatAreKilledGoOnToTheBitsOfAnUnbrokenRun) {

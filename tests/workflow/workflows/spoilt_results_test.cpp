@@ -52,8 +52,7 @@ void write_blobs(std::filesystem::path const& file, std::string const& kind = "m
                           .atoms = 2,
                           .mass = 2,
                           .rho = 0.5,
-                          .T = 1,
-                          .set = {}};
+                          .T = 1};
   BlobFile blobs(file, head, {.command = "none", .seed = 1, .scene = "", .inputs = {}});
   std::vector<cg::BlobFrame> frames(1);
   for (int k = 0; k < 40; ++k) {

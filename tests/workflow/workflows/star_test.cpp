@@ -1,4 +1,6 @@
+#include "chain_mapping.hpp"
 #include "program.hpp"
+#include "same_blobs.hpp"
 #include "scratch_directory.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/text_file.hpp"
@@ -51,15 +53,8 @@ TEST(StarCommands, BlobsDoNotDependOnTheNumberOfRanks) {
     EXPECT_EQ(json["frames"], 2);
     EXPECT_LT(json["blob_energy_sum_relative_error_max"], 1e-9);
   }
-  auto const one = read_blobs(scratch / "1" / "blobs.h5"), two = read_blobs(scratch / "2" / "blobs.h5");
-  ASSERT_EQ(one.R.size(), 2u * 27);
-  ASSERT_EQ(two.R.size(), one.R.size());
-  EXPECT_EQ(one.steps, two.steps);
-  for (std::size_t k = 0; k < one.R.size(); ++k) {
-    EXPECT_LT(norm(one.boxes[0].minimum_image(one.R[k] - two.R[k])), 1e-9);
-    EXPECT_NEAR(one.U(k), two.U(k), 1e-8);
-    EXPECT_NEAR(one.Phi[k], two.Phi[k], 1e-8);
-  }
+  tests::expect_same_blobs(read_blobs(scratch / "1" / "blobs.h5"), read_blobs(scratch / "2" / "blobs.h5"),
+                           2u * 27, 1e-8);
 }
 
 // What is told beside a preset counts; the rest is the preset's.
@@ -158,28 +153,7 @@ ITEM: ATOMS id mol type x y z vx vy vz
 2 1 1 0.9 1.0 5.0 -1 0 0
 )";
 
-char const* const dumbbell_mapping = R"(format = "mesobridge mapping 1"
-name = "dumbbell"
-atoms = 2
-masses = [ 1.0, 1.0 ]
-
-[bonds]
-count = 1
-a = [ 1 ]
-b = [ 2 ]
-k = [ 20.0 ]
-l = [ 1.2 ]
-
-[pairs]
-count = 1
-type_a = [ 1 ]
-type_b = [ 1 ]
-epsilon = [ 1.0 ]
-sigma = [ 1.0 ]
-cutoff = [ 1.122462048309373 ]
-shifted = "yes"
-bonded = "yes"
-)";
+std::string const dumbbell_mapping = tests::chain_mapping("dumbbell", 2, 20, 1.2);
 
 TEST(StarCommands, AUsersTrajectoryBecomesBlobs) {
   ScratchDirectory const scratch;
@@ -265,7 +239,7 @@ TEST(StarCommands, BadInputHasACodeAndOneClearMessage) {
   write_text_file(scratch / "a.lammpstrj", dumbbells);
   std::string three = dumbbell_mapping;
   three.replace(three.find("atoms = 2"), 9, "atoms = 3");
-  three.replace(three.find("[ 1.0, 1.0 ]"), 12, "[ 1.0, 1.0, 1.0 ]");
+  three.replace(three.find("[1.0, 1.0]"), 10, "[1.0, 1.0, 1.0]");
   write_text_file(scratch / "three.toml", three);
   std::string unknown = dumbbell_mapping;
   write_text_file(scratch / "unknown.toml", unknown + "colour = \"red\"\n");

@@ -1,0 +1,28 @@
+#pragma once
+#include "cg/molecule_model.hpp"
+#include "md/vec3.hpp"
+#include "workflows/command.hpp"
+
+namespace mesobridge::workflows {
+
+/// Compares the net forces on molecules that a trajectory says with those of the mapping's pairs.
+class ForceCheck {
+ public:
+  explicit ForceCheck(cg::MoleculeModel const& model);
+
+  /// The force on one molecule.
+  void add(Vec3 const& said, Vec3 const& by_pairs);
+
+  /// What is suspicious, for people; empty if nothing is.
+  std::vector<std::string> warnings() const;
+  /// `forces`: where they are from.
+  void put(Json& json) const;
+
+ private:
+  double apart() const; ///< root mean square of the difference over that of what is said
+
+  bool has_pairs_;
+  double said_ = 0, difference_ = 0, count_ = 0;
+};
+
+} // namespace mesobridge::workflows
