@@ -45,14 +45,9 @@ void expect_refused(std::vector<std::string> command, std::filesystem::path cons
 
 /// Three molecules, 40 frames of independent energies.
 void write_blobs(std::filesystem::path const& file, std::string const& kind = "melt") {
-  BlobFileHead const head{.kind = kind,
-                          .name = "dimer",
-                          .fingerprint = "none",
-                          .molecules = 3,
-                          .atoms = 2,
-                          .mass = 2,
-                          .rho = 0.5,
-                          .T = 1};
+  BlobFileHead head;
+  head.kind = kind, head.name = "dimer", head.fingerprint = "none";
+  head.molecules = 3, head.atoms = 2, head.mass = 2, head.rho = 0.5, head.T = 1;
   BlobFile blobs(file, head, {.command = "none", .seed = 1, .scene = "", .inputs = {}});
   std::vector<cg::BlobFrame> frames(1);
   for (int k = 0; k < 40; ++k) {
