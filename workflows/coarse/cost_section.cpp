@@ -47,11 +47,12 @@ std::string time_text(std::optional<double> const& seconds) {
 /// Of the run of the model that was found here.
 Table times_table(Kept const& kept) {
   constexpr std::array errors{0.1, 0.05, 0.02, 0.01};
-  Table table{.header = {"", "bias"},
-              .caption =
-                  "Processor time in seconds until a mean is known within an error: by molecular dynamics / "
-                  "by the particles, whose bias counts as an error and is what their difference shows beyond "
-                  "chance."};
+  Table table{
+      .header = {"", "bias"},
+      .caption = "Processor time in seconds until a mean is known within an error: by molecular dynamics / "
+                 "by the particles, whose bias counts as an error and is what their difference shows beyond "
+                 "chance. By the errors of these runs and the root of time: less than a run takes to come to "
+                 "rest is arithmetic."};
   for (double const error : errors)
     table.header.push_back(share_text(error));
   for (auto const& of : kept.own().quantities) {

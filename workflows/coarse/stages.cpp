@@ -35,10 +35,17 @@ std::string quoted_word(std::string const& word) {
   return text + "'";
 }
 
+/// Whether the stage was begun, and has left that from which it can go on.
+bool goes_on_from(Stage const& stage, Json const& begun) {
+  auto const line = line_of(stage);
+  return !stage.begun.empty() && std::filesystem::exists(stage.begun) &&
+         std::ranges::any_of(begun, [&](Json const& one) { return one == line; });
+}
+
 FarmedRun run_of(Stage const& stage, bool goes_on, Context const& context) {
   FarmedRun run{{"/proc/self/exe"}, 1}; // whatever has become of the program's file
   run.argv.insert(run.argv.end(), stage.words.begin(), stage.words.end());
-  if (goes_on && !stage.begun.empty() && std::filesystem::exists(stage.begun))
+  if (goes_on)
     run.argv.emplace_back("--resume");
   else
     run.argv.insert(run.argv.end(), stage.afresh.begin(), stage.afresh.end());
@@ -56,9 +63,8 @@ void make(std::span<Stage const> stages, Json const& begun, Json& all_done, Cont
   Json done = Json::array();
   std::vector<FarmedRun> runs;
   for (auto const& stage : stages) {
-    auto const line = line_of(stage);
-    bool const goes_on = std::ranges::any_of(begun, [&](Json const& one) { return one == line; });
-    done.push_back({{"line", line}, {"seconds", -1.0}, {"resumed", goes_on}});
+    bool const goes_on = goes_on_from(stage, begun);
+    done.push_back({{"line", line_of(stage)}, {"seconds", -1.0}, {"resumed", goes_on}});
     runs.push_back(run_of(stage, goes_on, context));
     runs.back().ended = [&done, k = done.size() - 1](double seconds) { done[k]["seconds"] = seconds; };
   }

@@ -3,6 +3,7 @@
 #include "md/error.hpp"
 #include "md/held_blobs.hpp"
 #include "md/star_piston.hpp"
+#include "workflows/call_words.hpp"
 #include "workflows/provenance.hpp"
 #include "workflows/text_file.hpp"
 #include <cmath>
@@ -13,21 +14,9 @@
 namespace mesobridge::workflows {
 namespace {
 
-/// Words of a call, and options with their values.
-struct Call {
-  std::vector<std::string> words;
-
-  template <class Value>
-  Call& add(char const* option, Value const& value) {
-    words.emplace_back(option);
-    words.push_back(fmt::format("{}", value));
-    return *this;
-  }
-};
-
 /// What melts have in common, free or held.
-Call melt_call(char const* command, md::StarMeltSettings const& s, std::filesystem::path const& folder) {
-  Call call{{"md", command}};
+CallWords melt_call(char const* command, md::StarMeltSettings const& s, std::filesystem::path const& folder) {
+  CallWords call{{"md", command}};
   call.add("--star", s.star.name()).add("--molecules", s.molecules).add("--rho", s.rho).add("--T", s.T);
   call.add("--dt", s.dt).add("--equilibration-steps", s.equilibration_steps).add("--seed", s.seed);
   return call.add("--ranks", 1).add("-o", folder.string()); // two such runs at once lose nothing to waiting
@@ -132,10 +121,9 @@ std::vector<Stage> model_stages(StarToDpdePlan const& plan, std::filesystem::pat
   melt.add("--sampling-steps", s.sampling_steps).add("--sample-every", s.sample_every);
   auto held = melt_call("held-blobs", s, in("held"));
   held.add("--sampling-steps", plan.held_steps).add("--configurations", plan.configurations);
-  Call potential{{"cg", "potential", text("melt/blobs.h5"), "--pressure", "--seed", std::to_string(s.seed),
-                  "-o", text("potential")}};
-  if (plan.cutoff)
-    potential.add("--cutoff", *plan.cutoff);
+  CallWords potential{{"cg", "potential", text("melt/blobs.h5"), "--pressure", "--seed",
+                       std::to_string(s.seed), "-o", text("potential")}};
+  potential.add("--cutoff", plan.cutoff);
   return {
       {"melt of " + name + " stars, free and held",
        melt.words,
@@ -191,7 +179,7 @@ std::vector<Stage> shock_stages(StarToDpdePlan const& plan, std::filesystem::pat
                                 double T) {
   auto const folder = directory / "shock";
   auto const settings = piston_of(plan, T);
-  Call melt{{"md", "piston-shock", "--star", settings.star.name()}};
+  CallWords melt{{"md", "piston-shock", "--star", settings.star.name()}};
   melt.add("--rho0", settings.rho).add("--T0", fmt::format("{:.5g}", T)).add("--vp", settings.v_P);
   melt.add("--cells-across", settings.across)
       .add("--cells-along", settings.along)

@@ -1,4 +1,5 @@
 #include "fitting/particle_model_file.hpp"
+#include "workflows/call_words.hpp"
 #include "workflows/coarse/coarse_scenes.hpp"
 #include "workflows/coarse/compared_shocks.hpp"
 #include "workflows/coarse/melts_study.hpp"
@@ -78,7 +79,7 @@ void leave_out_wide_models(StarToDpdePlan& plan, Context const& context) {
 }
 
 /// Writes the scene of a stage; what the stage has made of another scene does not count.
-void write_scene(std::filesystem::path const& file, std::string const& text, Stage const& stage) {
+void write_scene_of(std::filesystem::path const& file, std::string const& text, Stage const& stage) {
   if (std::filesystem::exists(file) && read_text_file(file) == text)
     return;
   std::filesystem::create_directories(file.parent_path());
@@ -92,8 +93,8 @@ void add_shocks(StarToDpdePlan plan, std::filesystem::path const& directory, dou
   auto const model = directory / "model" / (plan.melt.star.name() + "-melt.toml");
   plan.shock_across = std::max(plan.shock_across, least_across(plan, range_of(model)));
   auto const more = shock_stages(plan, directory, T);
-  write_scene(directory / "shock/scene.toml", shock_scene(plan, T, summary.at("P_dpde").get<double>()),
-              more.back());
+  write_scene_of(directory / "shock/scene.toml", shock_scene(plan, T, summary.at("P_dpde").get<double>()),
+                 more.back());
   stages.insert(stages.end(), more.begin(), more.end());
   make_stages(stages, directory / "stages.json", context);
   auto const shocks = read_shocks(plan, directory);
@@ -111,7 +112,7 @@ Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path 
   double const T = temperature_of(stages.back().product);
   auto const later = run_stages(plan, directory);
   for (std::size_t k = 0; k < plan.runs.size(); ++k) // of two stages each
-    write_scene(directory / plan.runs[k].scene(), coarse_scene(plan, plan.runs[k], T), later[2 * k]);
+    write_scene_of(directory / plan.runs[k].scene(), coarse_scene(plan, plan.runs[k], T), later[2 * k]);
   stages.insert(stages.end(), later.begin(), later.end());
   make_stages(stages, directory / "stages.json", context);
   auto const kept = read_kept(plan, directory, context);
@@ -128,21 +129,13 @@ Result one_melt(WorkflowStarToDpdeOptions const& options, std::filesystem::path 
 
 /// What each chain of several is told besides its melt.
 std::vector<std::string> further_words(WorkflowStarToDpdeOptions const& options, std::uint64_t seed) {
-  std::vector<std::string> words{"--preset", options.preset, "--seed", std::to_string(seed)};
-  auto const add = [&](char const* option, auto const& value) {
-    if (value)
-      words.insert(words.end(), {option, fmt::format("{}", *value)});
-  };
-  add("--T", options.T), add("--cutoff", options.cutoff), add("--run-time", options.run_time);
-  add("--molecules", options.molecules), add("--configurations", options.configurations);
-  add("--sampling-steps", options.sampling_steps), add("--sample-every", options.sample_every);
-  add("--held-steps", options.held_steps), add("--shock", options.v_P);
-  add("--shock-across", options.shock_across), add("--shock-along", options.shock_along);
-  for (double const dt : options.run_dt)
-    words.insert(words.end(), {"--run-dt", fmt::format("{}", dt)});
-  for (auto const& model : options.other_models)
-    words.insert(words.end(), {"--other-model", model});
-  return words;
+  CallWords call{{"--preset", options.preset, "--seed", std::to_string(seed)}};
+  call.add("--T", options.T).add("--cutoff", options.cutoff).add("--run-time", options.run_time);
+  call.add("--molecules", options.molecules).add("--configurations", options.configurations);
+  call.add("--sampling-steps", options.sampling_steps).add("--sample-every", options.sample_every);
+  call.add("--held-steps", options.held_steps).add("--shock", options.v_P);
+  call.add("--shock-across", options.shock_across).add("--shock-along", options.shock_along);
+  return call.add("--run-dt", options.run_dt).add("--other-model", options.other_models).words;
 }
 
 Result several_melts(WorkflowStarToDpdeOptions const& options, std::filesystem::path const& directory,

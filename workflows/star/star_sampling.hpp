@@ -1,6 +1,7 @@
 #pragma once
 #include "md/error.hpp"
 #include "md/mpi_world.hpp"
+#include "workflows/call_words.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/star/blob_file.hpp"
@@ -57,17 +58,6 @@ bool closed(bool complete, std::optional<Files>& files, std::optional<Progress>&
   return complete;
 }
 
-/// Words of a call of this program.
-struct CallWords {
-  std::vector<std::string> words;
-
-  template <class Value>
-  void add(char const* option, Value const& value) {
-    words.emplace_back(option);
-    words.push_back(fmt::format("{}", value));
-  }
-};
-
 /// The words that call `command` for the job and print no result, but for the options that it alone has.
 template <class Job>
 CallWords words_of_stars(char const* command, Job const& job) {
@@ -92,10 +82,8 @@ template <class Job>
 CallWords words_of_melt(char const* command, Job const& job) {
   auto call = words_of_stars(command, job);
   auto const& s = job.settings;
-  for (auto const& [option, value] : {std::pair("--rho", s.rho), {"--T", s.T}, {"--friction", s.friction}})
-    call.add(option, value);
-  call.add("--squeeze-steps", s.squeeze_steps);
-  return call;
+  call.add("--rho", s.rho).add("--T", s.T).add("--friction", s.friction);
+  return call.add("--squeeze-steps", s.squeeze_steps);
 }
 
 } // namespace mesobridge::workflows
