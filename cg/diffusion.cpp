@@ -107,8 +107,9 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
   Sums all(2 * lags + 1, 0.0);
   for (auto const& group : groups)
     std::transform(group.begin(), group.end(), all.begin(), all.begin(), std::plus<>());
-  auto const window = std::size_t(std::ceil(window_in_decays * velocity_decay_lag(all, lags)));
-  bool const resolved = all[lags + 1] > least_resolved * all[lags] && window <= last;
+  double const decay = velocity_decay_lag(all, lags);
+  auto const window = std::size_t(std::ceil(window_in_decays * decay));
+  bool const resolved = all[lags + 1] > least_resolved * all[lags], decayed = decay < double(last);
   double const N = double(series.molecules), alone = N / (N - 1); // all together have taken one's share
   auto const estimates = jackknife(groups, [&](Sums const& sums) {
     std::vector<double> numbers{
@@ -138,8 +139,10 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
     found.displacement.push_back(estimates[5 + lag]);
     found.velocity.push_back(estimates[5 + lags + lag]);
   }
-  if (resolved)
-    found.decay = estimates[3], found.D_velocity = estimates[4];
+  if (resolved && decayed)
+    found.decay = estimates[3];
+  if (resolved && window <= last)
+    found.D_velocity = estimates[4];
   if (settings.viscosity > 0) {
     constexpr double of_cube = 2.837297;
     double const kT = settings.temperature > 0 ? settings.temperature : found.temperature.mean,

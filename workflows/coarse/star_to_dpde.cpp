@@ -78,10 +78,9 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
   return runs;
 }
 
-std::int64_t held_steps_at(double rho, std::int64_t steps) {
-  auto const every = md::HeldBlobsSettings().sample_every;
+std::int64_t steps_at(double rho, std::int64_t usual, std::int64_t every) {
   double const longer = std::clamp(0.3 / rho, 1.0, 10.0);
-  return every * std::llround(double(steps) * longer / double(every));
+  return every * std::llround(double(usual) * longer / double(every));
 }
 
 std::int64_t sample_every_at(double rho, std::int64_t usual) {

@@ -38,9 +38,9 @@ std::vector<double> usual_time_steps();
 std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
                                    std::vector<std::filesystem::path> const& other_models);
 
-/// So many steps of held centres at 0.3 beads per sigma^3 as are wanted at another density: the thinner a
-/// melt, the later its velocities change, which is when friction is read.
-std::int64_t held_steps_at(double rho, std::int64_t steps);
+/// So many steps, a multiple of those between frames, as are wanted at another density than the usual 0.3
+/// beads per sigma^3: the thinner a melt, the later its velocities change, which is when friction is read.
+std::int64_t steps_at(double rho, std::int64_t usual, std::int64_t every);
 
 /// Steps between frames, as many as usual or fewer in melts above 0.4, where internal energies pass on fast.
 std::int64_t sample_every_at(double rho, std::int64_t usual);

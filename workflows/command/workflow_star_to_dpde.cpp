@@ -37,10 +37,12 @@ StarToDpdePlan plan_of(WorkflowStarToDpdeOptions const& options, std::uint64_t s
   melt.T = options.T.value_or(melt.T);
   melt.molecules = options.molecules.value_or(melt.molecules);
   melt.sample_every = options.sample_every.value_or(sample_every_at(melt.rho, melt.sample_every));
-  melt.sampling_steps = options.sampling_steps.value_or(melt.sampling_steps);
+  melt.sampling_steps =
+      options.sampling_steps.value_or(steps_at(melt.rho, melt.sampling_steps, melt.sample_every));
   md::check(melt);
   plan.configurations = options.configurations.value_or(plan.configurations);
-  plan.held_steps = options.held_steps.value_or(held_steps_at(melt.rho, plan.held_steps));
+  plan.held_steps =
+      options.held_steps.value_or(steps_at(melt.rho, plan.held_steps, md::HeldBlobsSettings().sample_every));
   plan.run_time = options.run_time.value_or(plan.run_time);
   plan.cutoff = options.cutoff;
   if (!options.run_dt.empty() || !options.other_models.empty())

@@ -137,6 +137,15 @@ TEST(Diffusion, HasNoIntegralOfFramesThatAreFarApart) {
   EXPECT_LT(std::abs(deviation(found.D, fluid.D())), 4);
 }
 
+TEST(Diffusion, KnowsWhenVelocitiesHaveChangedBeforeTheyHaveDiedAway) {
+  Langevin const fluid;
+  auto const found = diffusion(fluid.series(5), {.longest = 3 / fluid.gamma});
+  ASSERT_TRUE(found.decay);
+  EXPECT_NEAR(found.decay->mean, 1 / fluid.gamma, 0.02);
+  EXPECT_FALSE(found.D_velocity); // a twentieth of it is missing at three decays
+  EXPECT_FALSE(diffusion(fluid.series(5), {.longest = 0.5 / fluid.gamma}).decay);
+}
+
 TEST(Diffusion, RefusesByName) {
   Langevin fluid;
   fluid.frames = 40, fluid.molecules = 8;

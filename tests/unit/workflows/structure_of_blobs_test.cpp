@@ -31,10 +31,10 @@ TEST(StructureOfBlobs, CutsWhereNothingIsLeftOfTheStructure) {
 }
 
 TEST(StarToDpdePlan, HoldsThinMeltsLonger) {
-  EXPECT_EQ(held_steps_at(0.3, 10000), 10000);
-  EXPECT_EQ(held_steps_at(0.5, 10000), 10000);
-  EXPECT_EQ(held_steps_at(0.2, 10000), 15000);
-  EXPECT_EQ(held_steps_at(1e-30, 10000), 100000);
+  EXPECT_EQ(steps_at(0.3, 10000, 10), 10000);
+  EXPECT_EQ(steps_at(0.5, 10000, 10), 10000);
+  EXPECT_EQ(steps_at(0.2, 10000, 10), 15000);
+  EXPECT_EQ(steps_at(1e-30, 10000, 10), 100000);
   EXPECT_EQ(sample_every_at(0.3, 25), 25); // and dense ones are seen more often
   EXPECT_EQ(sample_every_at(0.5, 25), 10);
 }
