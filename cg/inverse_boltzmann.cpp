@@ -64,8 +64,16 @@ Said said_by(RadialBins const& target, InversionSettings const& settings) {
   require(settings.cutoff > 0 && settings.cutoff <= end * (1 + 1e-9), "cutoff", settings.cutoff,
           fmt::format("must be above 0, and within {:g}, to which g(r) is known", end));
   auto const last = std::size_t(std::lround(settings.cutoff / target.width));
+  auto const weight = [&](std::size_t k) { // of the pairs that a bin holds
+    double const r = (double(k) + 0.5) * target.width;
+    return target.g[k] * r * r;
+  };
+  double most = 0;
+  for (std::size_t k = 0; k < last; ++k)
+    most = std::max(most, weight(k));
   std::size_t first = last;
-  while (first > 0 && target.g[first - 1] > settings.least_g)
+  while (first > 0 && target.g[first - 1] > settings.least_g &&
+         weight(first - 1) > settings.least_pairs * most)
     --first;
   require(last - first >= 8, "bins of g(r) within the cut-off that hold pairs", last - first,
           "at least 8 are needed");
@@ -183,7 +191,10 @@ PairPotential inverted_at_pressure(PairPotential const& before, RadialBins const
   auto const after = inverted(before, target, now, settings);
   double const change = pressure_change(before, after, now, density),
                undone = std::abs(change / pressure_of_ramp(before, now, density));
-  return with_less_pressure(after, now, density, excess + change, undone + 0.3 * settings.kT);
+  // Far away by large steps, a quarter of the way each; near by small ones, for noise.
+  double const wanted = std::abs(excess / pressure_of_ramp(before, now, density));
+  return with_less_pressure(after, now, density, excess + change,
+                            undone + std::max(0.3 * settings.kT, 0.25 * wanted));
 }
 
 std::vector<double> direct_correlation(RadialBins const& bins, double density, double least_S) {
