@@ -1,4 +1,5 @@
 #include "fitting/riemann.hpp"
+#include "fitting/state_at_pressure.hpp"
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/eos/curve_output.hpp"
@@ -11,22 +12,31 @@ namespace mesobridge::workflows {
 namespace {
 
 struct Side {
-  std::string model;
-  double rho = 0, T = 0, u = 0;
+  EosOptions model;
+  std::string name; ///< "left"
+  double rho = 0, u = 0;
+  std::optional<double> T, P;
 
-  void declare(CLI::App& app, std::string const& name) {
-    app.add_option("--" + name, model, "Model of the " + name + " half space")
+  void declare(CLI::App& app, std::string const& side) {
+    name = side;
+    app.add_option("--" + name, model.model, "Model of the " + name + " half space")
         ->required()
         ->type_name("NAME|FILE");
+    app.add_option("--gamma-" + name, model.gamma, "Of ideal-gas: the ratio of its heat capacities, > 1");
     app.add_option("--rho-" + name, rho, "Its density (SI: kg/m^3)")->required();
-    app.add_option("--T-" + name, T, "Its temperature (SI: K)")->required();
+    auto* const temperature = app.add_option("--T-" + name, T, "Its temperature (SI: K)");
+    app.add_option("--P-" + name, P, "Its pressure (SI: Pa), in place of the temperature")
+        ->excludes(temperature);
     app.add_option("--u-" + name, u, "Its velocity to the right (SI: m/s)");
   }
-  fitting::RiemannSide of(NamedFluid const& fluid, std::string const& name) const {
+  fitting::EosState state(NamedFluid const& fluid) const {
     require_positive_number("--rho-" + name, rho);
-    require_positive_number("--T-" + name, T);
     require(std::isfinite(u), "--u-" + name, u, "must be finite");
-    return {fluid.fluid, fluid.fluid.at_temperature(rho, T), u};
+    if (P)
+      return fitting::state_at_pressure(fluid.fluid, rho, *P);
+    require(T.has_value(), "--T-" + name, "nothing", "or --P-" + name + " must be given");
+    require_positive_number("--T-" + name, *T);
+    return fluid.fluid.at_temperature(rho, *T);
   }
 };
 
@@ -90,11 +100,13 @@ Result riemann(EosRiemannOptions const& options, Context const& context) {
   require(options.points >= 2 && options.points <= 100000, "--points", options.points,
           "must lie between 2 and 100000");
   auto const left = load_fluid(options.left.model), right = load_fluid(options.right.model);
+  auto const at_left = options.left.state(left), at_right = options.right.state(right);
   require_same_units(left, right);
   bool const reduced = left.reduced;
-  fitting::RiemannSolution const solution(options.left.of(left, "left"), options.right.of(right, "right"));
-  warn_outside_data(left, options.left.rho, options.left.T, context);
-  warn_outside_data(right, options.right.rho, options.right.T, context);
+  fitting::RiemannSolution const solution({left.fluid, at_left, options.left.u},
+                                          {right.fluid, at_right, options.right.u});
+  warn_outside_data(left, at_left.rho, at_left.T, context);
+  warn_outside_data(right, at_right.rho, at_right.T, context);
   Columns const head{{"P", "_Pa", "Pa", {solution.P()}}, {"u", "_m_s", "m/s", {solution.u()}}};
   Result result;
   tell_first_row(result, head, reduced);

@@ -3,6 +3,7 @@
 #include "workflows/command/options.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/lj/fit_summary.hpp"
+#include "workflows/lj/state_csv.hpp"
 #include "workflows/lj/state_grid_file.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/version.hpp"
@@ -21,11 +22,19 @@ struct FitLjBwrOptions {
   fitting::LjBwrFitOptions fit;
 };
 
+/// What `cg state-grid` wrote, or a table of the user's own.
+cg::StateGrid states_of(std::filesystem::path const& file) {
+  auto const ending = file.extension();
+  return ending == ".csv" || ending == ".txt" || ending == ".dat"
+             ? parse_state_csv(read_text_file(file), file.string())
+             : read_state_grid(file);
+}
+
 Result fit(FitLjBwrOptions const& options, Context const& context) {
   auto settings = options.fit;
   settings.prior = options.prior == "published" ? fitting::LjBwrPrior::published : fitting::LjBwrPrior::none;
   settings.prior_width = options.prior_width;
-  auto const fitted = fitting::fit_lj_bwr(read_state_grid(options.data), settings);
+  auto const fitted = fitting::fit_lj_bwr(states_of(options.data), settings);
   double const probability =
       fitted.degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(fitted.chi_2, fitted.degrees_of_freedom) : 1;
   constexpr double least = 1e-3;
@@ -55,7 +64,11 @@ Result fit(FitLjBwrOptions const& options, Context const& context) {
 }
 
 void declare(CLI::App& app, FitLjBwrOptions& options) {
-  app.add_option("data", options.data, "What `cg state-grid` wrote")->required()->type_name("DATA.h5");
+  app.add_option("data", options.data,
+                 "What `cg state-grid` wrote, or a CSV file with rho, T, U (or U_res, less 3/2 T), P and "
+                 "their errors U_se, P_se")
+      ->required()
+      ->type_name("DATA.h5|DATA.csv");
   app.add_option("--prior", options.prior, "Start from the 1993 set and correct it, or from nothing")
       ->check(CLI::IsMember({"published", "none"}));
   app.add_option("--prior-width", options.prior_width,

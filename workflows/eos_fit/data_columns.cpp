@@ -211,6 +211,10 @@ bool is_remark(std::string const& name) {
   return false;
 }
 
+bool is_derived(std::string const& name) {
+  return name == "s_J_kg_K" || name == "gruneisen" || name == "sound_speed_squared_m2_s2";
+}
+
 std::string known_data_columns() {
   std::string text;
   for (auto const& entry : known)

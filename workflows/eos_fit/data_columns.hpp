@@ -24,6 +24,10 @@ DataColumn parse_data_column(std::string const& name);
 /// Columns that may stand in a file and are not read: `phase`, `source`, `comment` ...
 bool is_remark(std::string const& name);
 
+/// Quantities that follow from others at the same state, which `eos table` writes and no fit needs:
+/// `s_J_kg_K`, `gruneisen`, `sound_speed_squared_m2_s2`.
+bool is_derived(std::string const& name);
+
 /// All quantities with their units, for help and messages: "rho [kg_m3, g_cm3], ...".
 std::string known_data_columns();
 

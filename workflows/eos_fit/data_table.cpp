@@ -10,6 +10,8 @@ namespace {
 void add_column(DataTable& table, std::string const& name, std::string const& origin) {
   if (is_remark(name) || name == "kind")
     return;
+  if (is_derived(name))
+    return table.not_read.push_back(name);
   try {
     table.columns.emplace(name, parse_data_column(name));
   } catch (InputError const& error) {
@@ -23,7 +25,7 @@ DataRow row_of(CsvTable const& table, CsvRow const& cells) {
     auto const& name = table.header.cells[i];
     if (name == "kind")
       row.kind = cells.cells[i];
-    else if (!cells.cells[i].empty() && !is_remark(name))
+    else if (!cells.cells[i].empty() && !is_remark(name) && !is_derived(name))
       row.numbers.emplace(name, csv_number(table, cells, i, "must be a finite number, or empty"));
   }
   return row;

@@ -17,7 +17,7 @@ struct DataRow {
 struct DataTable {
   std::map<std::string, DataColumn> columns;
   std::vector<DataRow> rows;
-  std::vector<std::string> not_read; ///< columns of an HDF5 file that are no data of this kind
+  std::vector<std::string> not_read; ///< columns that are no data of this kind
 };
 
 /// Throws InputError with file, line and column.
