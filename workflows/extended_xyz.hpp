@@ -7,7 +7,8 @@
 namespace mesobridge::workflows {
 
 /// A trajectory in the extended XYZ format, text that OVITO and ASE open: for each frame the number of
-/// particles, a line with the box, the columns, the step and the time, and one line a particle. Numbers are
+/// particles, a line with the box, the columns, the step and the time, and one line a particle; lengths in
+/// Å, velocities in Å/ps and times in ps, or all in reduced units. Numbers are
 /// written so that they read back as the same bits. What was there at the last mark() survives the program's
 /// death at any moment. A closed file has a seal beside it (store/seal.hpp), by which damage shows.
 class ExtendedXyzWriter {
@@ -21,7 +22,7 @@ class ExtendedXyzWriter {
   static ExtendedXyzWriter continue_file(std::filesystem::path file);
 
   /// Throws PhysicsError when a number of the frame is not finite, EnvironmentError when it cannot be
-  /// written.
+  /// written, InputError when the file holds frames with other columns.
   void append(ParticleFrame const& frame);
 
   void mark();  ///< the frames so far are safe; throws EnvironmentError
@@ -37,6 +38,7 @@ class ExtendedXyzWriter {
   std::filesystem::path file_;
   std::unique_ptr<UndoJournal> journal_; ///< holds no page: frames are only appended
   std::int64_t last_step_ = -1;
+  std::string head_there_; ///< of the last frame of an earlier run, until the first one of this
 };
 
 } // namespace mesobridge::workflows

@@ -15,6 +15,16 @@ void append_instant(Store& store, std::string const& group, std::int64_t step, d
   store.append(group + "/time", std::span(&time, 1));
 }
 
+/// "T_K" as the format names it: T, in K. Names without a unit that is known here stay whole.
+std::pair<std::string, std::string> name_and_unit(std::string const& name) {
+  constexpr std::pair<std::string_view, char const*> units[] = {
+      {"_kg_m3", "kg m-3"}, {"_J_kg", "J kg-1"}, {"_Pa", "Pa"}, {"_K", "K"}, {"_J", "J"}};
+  for (auto const& [ending, unit] : units)
+    if (name.ends_with(ending))
+      return {name.substr(0, name.size() - ending.size()), unit};
+  return {name, ""};
+}
+
 } // namespace
 
 H5mdWriter::H5mdWriter(std::filesystem::path const& file, Units units, Provenance const& provenance,
@@ -75,11 +85,33 @@ void H5mdWriter::append_vectors(std::string const& group, Frame const& frame, st
     describe(group, unit);
 }
 
+void H5mdWriter::append_scalar(Frame const& frame, std::string const& name,
+                               std::vector<double> const& values) {
+  auto const [bare, unit] = name_and_unit(name);
+  auto const group = std::string(particles) + "/" + bare;
+  bool const first = !store_.contains(group + "/value");
+  if (first && continued_)
+    return; // a file of an earlier version, in which this would begin late
+  for (double const number : values)
+    if (!std::isfinite(number))
+      throw PhysicsError(
+          fmt::format("{} holds a {} at step {}: the frame is not written", group, number, frame.step));
+  store_.append(group + "/value", values, {values.size()});
+  append_instant(store_, group, frame.step, frame.time * units_.time);
+  if (!first)
+    return;
+  describe(group, unit);
+  store_.link(group, "observables/" + bare); // where MDAnalysis looks for what it does not know
+}
+
 void H5mdWriter::append(Frame const& frame) {
   std::string const all = particles;
   append_vectors(all + "/position", frame, frame.positions, units_.length, "nm");
   if (!frame.velocities.empty())
     append_vectors(all + "/velocity", frame, frame.velocities, units_.length / units_.time, "nm ps-1");
+
+  for (auto const& [name, values] : frame.scalars)
+    append_scalar(frame, name, values);
 
   auto const edges = all + "/box/edges";
   bool const first = !store_.contains(edges + "/value");

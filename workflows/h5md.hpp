@@ -30,6 +30,9 @@ class H5mdWriter {
     Box box;
     std::span<Vec3 const> positions;
     std::span<Vec3 const> velocities;
+    /// Further elements, a number a particle, by names that carry their unit ("T_K"): the file calls them T,
+    /// with an attribute `unit`. In the units that they have.
+    std::span<std::pair<std::string, std::vector<double>> const> scalars = {};
   };
 
   /// Creates the file, of a box that is periodic along some of its edges. Throws EnvironmentError.
@@ -53,13 +56,16 @@ class H5mdWriter {
   void close();
 
  private:
-  H5mdWriter(Store store, Units units) : store_(std::move(store)), units_(units) {}
+  H5mdWriter(Store store, Units units)
+      : store_(std::move(store)), units_(units), continued_(last_step() >= 0) {}
+  void append_scalar(Frame const& frame, std::string const& name, std::vector<double> const& values);
   void describe(std::string const& group, std::string const& unit);
   void append_vectors(std::string const& group, Frame const& frame, std::span<Vec3 const> values,
                       double factor, std::string const& unit);
 
   Store store_;
   Units units_;
+  bool continued_ = false; ///< with the elements that the file has
 };
 
 } // namespace mesobridge::workflows

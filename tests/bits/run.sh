@@ -42,7 +42,8 @@ while read -r name scene settings; do
       echo "$name: not with the old build; $threads threads are the measure" >&2
       continue
     fi
-    for file in run.h5 checkpoint.h5 trajectory.h5; do
+    for file in run.h5 checkpoint.h5 trajectory.h5md; do
+      [ -e "$work/$name/$file" ] && [ -e "$made/$file" ] || continue # earlier versions called the last one otherwise
       if "$same" "$work/$name/$file" "$made/$file"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
     done
   done

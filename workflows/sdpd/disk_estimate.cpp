@@ -103,11 +103,12 @@ double trajectories(Scene const& scene, Particle const& of) {
   constexpr double vectors = 6; // of position and velocity
   double const h5md = rows(scene, scene.run.trajectory_every), vtkhdf = rows(scene, scene.run.vtkhdf_every),
                xyz = rows(scene, scene.run.xyz_every);
-  double const id = std::log10(N) + 1;
+  double const id = std::log10(N) + 3; // and the species
   // Beside the vectors: steps, times and the box; the vertices and their ids; nothing.
   double bytes = xyz * N * ((vectors + of.scalars) * text + id);
   if (h5md > 0)
-    bytes += 2 * growing(h5md, 3 * N) + 6 * growing(h5md, 1) + growing(h5md, 9);
+    bytes += 2 * growing(h5md, 3 * N) + of.scalars * growing(h5md, N) +
+             (6 + 2 * of.scalars) * growing(h5md, 1) + growing(h5md, 9);
   if (vtkhdf > 0)
     bytes += 2 * growing(vtkhdf * N, 3) + of.scalars * growing(vtkhdf * N, 1) +
              (12 + of.scalars) * growing(vtkhdf, 1) + N * (3 * number + 1);

@@ -138,7 +138,7 @@ Files files_of(std::filesystem::path const& directory) {
   static std::vector<Files::Entry> const known{
       {"summary.json", "all results with their standard errors"},
       {"run.h5", "samples, instants, profiles and histograms (HDF5)"},
-      {"trajectory.h5", "positions and velocities (H5MD)"},
+      {"trajectory.h5md", "positions, velocities and what particles have (H5MD)"},
       {"trajectory.vtkhdf", "the particles for ParaView"},
       {"trajectory.xyz", "the particles for OVITO"},
       {"calibration.json", "how the constants of the densities were found"},

@@ -14,6 +14,7 @@ struct ParticleFrame {
   std::int64_t step = 0;
   double time = 0;
   Box box;
+  double to_angstrom = 1;      ///< of lengths: 10 in SI scenes; 1 in reduced units, which stay as they are
   std::vector<Vec3> positions; ///< in the box
   std::vector<Vec3> velocities;
   /// Further quantities, one value a particle, by names that carry their unit; the same names in every frame.

@@ -8,7 +8,7 @@ namespace mesobridge::workflows {
 namespace {
 
 /// From metres and seconds to the files' nm and ps.
-constexpr double nm = 1e9, ps = 1e12;
+constexpr double nm = 1e9, ps = 1e12, nm_in_angstrom = 10;
 
 ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units,
                        double dt, bool si) {
@@ -20,6 +20,7 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
   ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.step()),
                       .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
                       .box = Box{simulation.box().edge * length, simulation.box().periodic},
+                      .to_angstrom = si ? nm_in_angstrom : 1,
                       .positions = std::move(now.q),
                       .velocities = std::move(now.p),
                       .scalars = {}};
@@ -65,6 +66,12 @@ std::array<bool, 3> periodic_axes(Scene const& scene) {
   return {box.x == "periodic", box.y == "periodic", box.z == "periodic"};
 }
 
+/// Runs of earlier versions called it trajectory.h5: they go on with that.
+std::filesystem::path h5md_file(std::filesystem::path const& folder) {
+  auto const former = folder / former_h5md_name, now = folder / h5md_name;
+  return std::filesystem::exists(former) && !std::filesystem::exists(now) ? former : now;
+}
+
 H5mdWriter::Units h5md_units(bool si) {
   // The frames are in nm and ps already.
   return {.length = 1, .time = 1, .physical = si};
@@ -75,7 +82,7 @@ H5mdWriter::Units h5md_units(bool si) {
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
                            Provenance const& provenance, std::optional<FrameSchedules> const& before)
     : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
-  auto const h5 = folder / "trajectory.h5", vtk = folder / "trajectory.vtkhdf",
+  auto const h5 = before ? h5md_file(folder) : folder / h5md_name, vtk = folder / "trajectory.vtkhdf",
              xyz = folder / "trajectory.xyz";
   auto const past = before.value_or(FrameSchedules{});
   if (before) {
@@ -115,7 +122,8 @@ void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation,
                    .time = frame.time,
                    .box = frame.box,
                    .positions = frame.positions,
-                   .velocities = frame.velocities});
+                   .velocities = frame.velocities,
+                   .scalars = frame.scalars});
   if (vtk)
     vtkhdf_->append(frame);
   if (xyz)

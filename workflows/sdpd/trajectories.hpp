@@ -13,6 +13,9 @@ struct FrameSchedules {
   std::int64_t h5md = 0, vtkhdf = 0, xyz = 0;
 };
 
+/// The H5MD file of a run, with the ending by which MDAnalysis knows it, and what it was called once.
+inline constexpr char const *h5md_name = "trajectory.h5md", *former_h5md_name = "trajectory.h5";
+
 /// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5`
 /// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
 /// its checkpoint bit for bit: frames that a file holds already are skipped, and those that a run which was

@@ -3,6 +3,7 @@
 #include "md/units.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/settings.hpp"
+#include "workflows/sdpd/trajectories.hpp"
 #include "workflows/star/blob_analysis.hpp"
 #include "workflows/star/trajectory_file.hpp"
 #include <spdlog/logger.h>
@@ -49,7 +50,8 @@ void add_frame(cg::BlobSeries& series, TrajectoryFrame const& frame, std::filesy
 }
 
 MeasuredMotion motion_of_run(RunFolder const& folder, Context const& context) {
-  auto const file = folder.path() / "trajectory.h5";
+  auto const now = folder.path() / h5md_name, former = folder.path() / former_h5md_name;
+  auto const file = std::filesystem::exists(now) ? now : former;
   if (!folder.holds_run())
     throw InputError(fmt::format("'{}' is no folder of a run: it has no scene.toml that `run` wrote",
                                  folder.path().string()));

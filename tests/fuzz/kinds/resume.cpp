@@ -42,7 +42,7 @@ void prepare(fs::path const& folder) {
 std::string unlike_reference(Trial const& trial, std::vector<Outcome> const& outcomes) {
   if (outcomes.back().status != 0)
     return "";
-  for (char const* file : {"run.h5", "trajectory.h5", "trajectory.vtkhdf"}) {
+  for (char const* file : {"run.h5", "trajectory.h5md", "trajectory.vtkhdf"}) {
     auto const made = numbers_of(trial.folder / "out" / file),
                wanted = numbers_of(trial.folder / "reference" / file);
     if (made != wanted)
@@ -58,7 +58,7 @@ std::string unlike_reference(Trial const& trial, std::vector<Outcome> const& out
 void change_files(Random& random, Trial& trial) {
   trial.commands = {tiny_run({"--resume"})};
   trial.judge = unlike_reference;
-  static std::vector<std::string> const files{"checkpoint.h5", "checkpoint.h5", "run.h5", "trajectory.h5",
+  static std::vector<std::string> const files{"checkpoint.h5", "checkpoint.h5", "run.h5", "trajectory.h5md",
                                               "trajectory.vtkhdf"};
   auto const file = trial.folder / "out" / random.of(files);
   trial.change = random.chance(0.5) ? change_bytes(random, file) : change_hdf5(random, file);

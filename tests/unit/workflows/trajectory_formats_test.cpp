@@ -115,13 +115,16 @@ TEST(ExtendedXyz, NumbersReadBackAsTheSameBits) {
   std::string count, header;
   std::getline(text, count), std::getline(text, header);
   EXPECT_EQ(count, "3");
-  EXPECT_EQ(header,
-            "Lattice=\"4 0 0 0 5 0 0 0 6\" Properties=id:I:1:pos:R:3:velo:R:3:T_K:R:1:rho:R:1 step=70 "
-            "time=3.5 pbc=\"T T T\"");
+  EXPECT_EQ(
+      header,
+      "Lattice=\"4 0 0 0 5 0 0 0 6\" Properties=species:S:1:id:I:1:pos:R:3:velo:R:3:T_K:R:1:rho:R:1 step=70 "
+      "time=3.5 pbc=\"T T T\"");
   auto const expected = frame(7);
   std::size_t read = 0;
+  std::string species;
   double id, x, y, z, u, v, w, T, rho;
-  while (text >> id >> x >> y >> z >> u >> v >> w >> T >> rho) {
+  while (text >> species >> id >> x >> y >> z >> u >> v >> w >> T >> rho) {
+    EXPECT_EQ(species, "X");
     EXPECT_EQ(id, static_cast<double>(read));
     EXPECT_EQ(y, expected.positions[read].y);
     EXPECT_EQ(w, expected.velocities[read].z);
@@ -129,6 +132,47 @@ TEST(ExtendedXyz, NumbersReadBackAsTheSameBits) {
     ++read;
   }
   EXPECT_EQ(read, particles);
+}
+
+TEST(ExtendedXyz, IsInAngstromWhereFramesAreInNanometres) {
+  ScratchDirectory const scratch;
+  auto of = frame(7);
+  of.to_angstrom = 10;
+  ExtendedXyzWriter writer(scratch / "t.xyz");
+  writer.append(of);
+  auto const text = read_text_file(scratch / "t.xyz");
+  EXPECT_NE(text.find("Lattice=\"40 0 0 0 50 0 0 0 60\""), std::string::npos);
+  EXPECT_NE(text.find(fmt::format("\nX 1 {} ", 10 * of.positions[1].x)), std::string::npos);
+  EXPECT_NE(text.find(fmt::format(" {} {} {}\n", 10 * of.velocities[1].z, of.scalars[0].second[1],
+                                  of.scalars[1].second[1])),
+            std::string::npos);
+}
+
+TEST(ExtendedXyz, DoesNotGoOnWithFramesOfOtherColumns) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "t.xyz";
+  write_text_file(
+      file, "1\nLattice=\"1 0 0 0 1 0 0 0 1\" Properties=id:I:1:pos:R:3:velo:R:3 step=5 time=0 pbc=\"T T "
+            "T\"\n0 0 0 0 0 0 0\n");
+  auto writer = ExtendedXyzWriter::continue_file(file);
+  EXPECT_EQ(writer.last_step(), 5);
+  EXPECT_THROW(writer.append(frame(7)), InputError);
+}
+
+TEST(H5md, HoldsWhatParticlesHaveWithItsUnit) {
+  ScratchDirectory const scratch;
+  auto const file = scratch / "t.h5md";
+  auto const of = frame(7);
+  H5mdWriter writer(file, H5mdWriter::Units::si(), {});
+  for (std::int64_t const step : {0, 1})
+    writer.append({.step = step, .time = 0, .box = of.box, .positions = of.positions, .scalars = of.scalars});
+  writer.close();
+  Store const store(file, Store::Mode::read);
+  EXPECT_EQ(store.read_text_attribute("particles/all/T/value", "unit"), "K");
+  EXPECT_EQ(store.read_row("particles/all/T/value", 1), of.scalars[0].second);
+  EXPECT_EQ(store.read_row("particles/all/rho/value", 0), of.scalars[1].second);
+  EXPECT_EQ(store.rows("particles/all/rho/step"), 2u);
+  EXPECT_EQ(store.read_row("observables/T/value", 1), of.scalars[0].second);
 }
 
 // Edges that end at walls or vacuum are not periodic for whoever reads the file.

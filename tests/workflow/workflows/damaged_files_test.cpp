@@ -123,10 +123,10 @@ class DamagedFiles : public ::testing::Test {
 
   std::vector<std::string> const of_broken{
       "checkpoint.h5",      "checkpoint.previous.h5", "run.h5",
-      "run.h5.undo",        "trajectory.h5",          "trajectory.h5.undo",
+      "run.h5.undo",        "trajectory.h5md",          "trajectory.h5md.undo",
       "trajectory.vtkhdf",  "trajectory.vtkhdf.undo", "trajectory.xyz",
       "trajectory.xyz.undo"},
-      of_whole{"checkpoint.h5",     "run.h5",         "trajectory.h5",
+      of_whole{"checkpoint.h5",     "run.h5",         "trajectory.h5md",
                "trajectory.vtkhdf", "trajectory.xyz", "trajectory.xyz.seal"};
 };
 

@@ -93,7 +93,7 @@ void kill_and_compare(int wanted, unsigned seed) {
   auto const expected = datasets(unbroken / "run.h5", results);
   ASSERT_EQ(expected[0].size(), 501u * 12u);
   EXPECT_TRUE(expected == datasets(broken / "run.h5", results));
-  EXPECT_TRUE(datasets(unbroken / "trajectory.h5", frames) == datasets(broken / "trajectory.h5", frames));
+  EXPECT_TRUE(datasets(unbroken / "trajectory.h5md", frames) == datasets(broken / "trajectory.h5md", frames));
   auto const points = datasets(unbroken / "trajectory.vtkhdf", vtk_frames);
   ASSERT_EQ(points[0].size(), 126u * 343u * 3u);
   EXPECT_TRUE(points == datasets(broken / "trajectory.vtkhdf", vtk_frames));

@@ -46,7 +46,7 @@ struct Files {
 
 Files files(std::filesystem::path const& directory) {
   Store const results(directory / "run.h5", Store::Mode::read),
-      trajectory(directory / "trajectory.h5", Store::Mode::read),
+      trajectory(directory / "trajectory.h5md", Store::Mode::read),
       vtkhdf(directory / "trajectory.vtkhdf", Store::Mode::read);
   return {
       results.read_doubles("thermodynamics"),         results.read_doubles("moments"),
@@ -186,7 +186,7 @@ TEST(Run, TakesTheDiskThatCheckForetold) {
   auto const check = run_process(words);
   ASSERT_EQ(check.status, 0) << check.errors;
   double taken = 0;
-  for (char const* name : {"run.h5", "trajectory.h5", "trajectory.vtkhdf", "trajectory.xyz", "checkpoint.h5"})
+  for (char const* name : {"run.h5", "trajectory.h5md", "trajectory.vtkhdf", "trajectory.xyz", "checkpoint.h5"})
     taken += static_cast<double>(std::filesystem::file_size(scratch / "a" / name));
   EXPECT_NEAR(Json::parse(check.output)["estimated_disk_bytes"].get<double>() / taken, 1, 0.1);
 }

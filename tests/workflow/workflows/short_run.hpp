@@ -39,7 +39,7 @@ class ShortRun {
   /// All numbers and texts of a run's results, by file and dataset. Throws when one cannot be read.
   static std::map<std::string, std::string> content(std::filesystem::path const& directory) {
     std::map<std::string, std::string> all;
-    for (char const* name : {"run.h5", "trajectory.h5", "trajectory.vtkhdf"})
+    for (char const* name : {"run.h5", "trajectory.h5md", "trajectory.vtkhdf"})
       add_datasets(directory / name, name, all);
     for (char const* name : {"trajectory.xyz", "summary.json", "scene.toml"})
       all[name] = workflows::read_text_file(directory / name);

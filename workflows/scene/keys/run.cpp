@@ -23,7 +23,7 @@ std::vector<SceneKey> run_keys() {
           "0: 40 instants")
           .in(not_negative),
       run("trajectory_every", &Scene::Run::trajectory_every,
-          "steps between frames of trajectory.h5 (H5MD, for MDAnalysis and VMD); 0: none")
+          "steps between frames of trajectory.h5md (H5MD, for MDAnalysis and VMD); 0: none")
           .in(not_negative),
       run("vtkhdf_every", &Scene::Run::vtkhdf_every,
           "steps between frames of trajectory.vtkhdf (for ParaView 5.12 and later); 0: none")
