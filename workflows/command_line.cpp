@@ -1,5 +1,6 @@
 #include "workflows/command_line.hpp"
 #include "md/error.hpp"
+#include "workflows/common_options.hpp"
 #include "workflows/help.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/nearest.hpp"
@@ -63,25 +64,6 @@ std::pair<Command const*, std::size_t> find_command(Words const& arguments,
   refuse_unknown_command(arguments, commands);
 }
 
-void add_common_options(CLI::App& app, CommonOptions& options) {
-  auto const add = [&](std::string const& names, auto& target, std::string const& type,
-                       std::string const& text) {
-    return app.add_option(names, target, text)->type_name(type)->group("Common options");
-  };
-  auto const add_flag = [&](std::string const& name, bool& target, std::string const& text) {
-    app.add_flag(name, target, text)->group("Common options");
-  };
-  add_flag("--json", options.json, "Print one JSON object on stdout, everything else on stderr");
-  add("-o,--output", options.output, "PATH", "Where to write");
-  add("--seed", options.seed, "INT", "Seed of all random numbers")
-      ->check(CLI::NonNegativeNumber.description(""));
-  add("--threads", options.threads, "INT", "Threads (default: all cores)")
-      ->check(CLI::Range(1, 4096).description(""));
-  add("--ranks", options.ranks, "INT", "MPI ranks for molecular dynamics (default: all cores)")
-      ->check(CLI::Range(1, 65536).description(""));
-  add_flag("--quiet", options.quiet, "No progress and no messages but warnings");
-}
-
 Words option_names(CLI::App const& app) {
   Words names;
   for (auto const* option : app.get_options())
@@ -113,7 +95,7 @@ bool parse(CLI::App& app, Words words, Command const& command) {
   try {
     app.parse(words);
   } catch (CLI::CallForHelp const&) {
-    print_text(command_help(command, app, columns_of(1)));
+    print_text(command_help(page_of(command, app), columns_of(1)));
     return false;
   } catch (CLI::ParseError const& error) {
     refuse_unknown_words(app, command.name);
@@ -153,14 +135,6 @@ Context make_context(CommonOptions const& options, Words const& arguments) {
   return {.options = options, .arguments = arguments, .log = std::move(log), .reports = open_reports()};
 }
 
-Command::Action declare(Command const& command, CLI::App& app, CommonOptions& options) {
-  app.option_defaults()->always_capture_default(); // the help shows them
-  app.set_help_flag("-h,--help", "Print this and end")->group("Common options");
-  auto action = command.declare(app);
-  add_common_options(app, options);
-  return action;
-}
-
 /// What help is wanted of: the words after "help", or those before a --help that ask for a whole group.
 std::optional<Words> words_after_help(Words const& arguments) {
   auto is_flag = [](std::string const& word) { return word == "--help" || word == "-h"; };
@@ -181,10 +155,7 @@ void help(Words const& words, std::vector<Command> const& commands) {
   if (length < words.size())
     throw InputError(
         fmt::format("help: unexpected argument '{}' after the command '{}'", words[length], command->name));
-  CLI::App app;
-  CommonOptions options;
-  declare(*command, app, options);
-  print_text(command_help(*command, app, columns_of(1)));
+  print_text(command_help(page_of(*command), columns_of(1)));
 }
 
 void run(Words const& arguments, std::vector<Command> const& commands) {
@@ -201,7 +172,7 @@ void run(Words const& arguments, std::vector<Command> const& commands) {
   auto const [command, words] = find_command(arguments, commands);
   CLI::App app;
   CommonOptions options;
-  auto const action = declare(*command, app, options);
+  auto const action = declare_all(*command, app, options);
   if (!parse(app, {arguments.begin() + static_cast<std::ptrdiff_t>(words), arguments.end()}, *command))
     return;
   catch_interrupts();

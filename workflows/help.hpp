@@ -1,5 +1,5 @@
 #pragma once
-#include "workflows/command.hpp"
+#include "workflows/command_page.hpp"
 
 namespace mesobridge::workflows {
 
@@ -10,8 +10,7 @@ std::string overview(std::vector<Command> const& commands, std::size_t columns);
 std::string group_overview(std::string const& group, std::vector<Command> const& commands,
                            std::size_t columns);
 
-/// A command's arguments and options as declared in `app`, with what they allow, their defaults, and an
-/// example.
-std::string command_help(Command const& command, CLI::App const& app, std::size_t columns);
+/// A command's arguments and options, with what they allow, their defaults, and an example.
+std::string command_help(CommandPage const& page, std::size_t columns);
 
 } // namespace mesobridge::workflows

@@ -41,6 +41,7 @@ extern Declaration const eos_plot_command;
 extern Declaration const eos_table_command;
 extern Declaration const new_command;
 extern Declaration const run_command;
+extern Declaration const report_command;
 extern Declaration const workflow_lj_to_sdpd_command;
 extern Declaration const trade_off_command;
 extern Declaration const workflow_star_polymers_command;
@@ -50,6 +51,9 @@ extern Declaration const check_command;
 extern Declaration const bench_engine_command;
 extern Declaration const bench_eos_command;
 extern Declaration const bench_blobs_command;
+extern Declaration const schema_command;
+extern Declaration const completion_command;
+Command::Action man_command(CLI::App&);
 Command::Action doctor_command(CLI::App&);
 
 std::vector<Command> commands() {
@@ -210,6 +214,10 @@ std::vector<Command> commands() {
        .summary = "Run an SDPD scene",
        .example = "mesobridge run workflows/scenes/argon-1000K.toml -o out/argon --set particles.K=50",
        .declare = run_command},
+      {.name = "report",
+       .summary = "The report of a run once more, or the numbers of several runs side by side",
+       .example = "mesobridge report out/argon out/argon-K100 -o out/beside",
+       .declare = report_command},
       {.name = "workflow lj-to-sdpd",
        .summary = "Lennard-Jones MD, equation of state and SDPD in one chain, with a report",
        .example = "mesobridge workflow lj-to-sdpd --preset quick -o out/lj-to-sdpd",
@@ -246,6 +254,18 @@ std::vector<Command> commands() {
        .summary = "What measuring blobs costs beside the MD, in processor time on one core",
        .example = "mesobridge bench blobs --molecules 500",
        .declare = bench_blobs_command},
+      {.name = "schema",
+       .summary = "JSON schema of scenes or of models, by which editors complete and check them",
+       .example = "mesobridge schema scene -o scene.schema.json",
+       .declare = schema_command},
+      {.name = "completion",
+       .summary = "What lets a shell complete commands and options",
+       .example = "eval \"$(mesobridge completion bash)\"",
+       .declare = completion_command},
+      {.name = "man",
+       .summary = "Manual pages of all commands, in a folder",
+       .example = "mesobridge man -o out/man/man1 && man -M out/man mesobridge-run",
+       .declare = man_command},
       {.name = "doctor",
        .summary = "What is installed, what is missing and how to get it",
        .example = "mesobridge doctor",
