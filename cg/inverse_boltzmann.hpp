@@ -19,13 +19,14 @@ struct RadialBins {
 };
 
 struct InversionSettings {
-  double kT = 1;             ///< > 0
-  double cutoff = 0;         ///< of the potential, within the bins of g
-  double share = 0.5;        ///< of the full change that an update makes, in (0, 1]
-  double knots = 0.25;       ///< distance of the knots of the smoothing splines
-  double density = 0;        ///< particles per volume, to count neighbours' neighbours (Eq. (C23)); 0: do not
-  double least_g = 1e-3;     ///< below it g says nothing: there the potential goes on as a + b r^2
-  double least_pairs = 5e-4; ///< of g r^2 over its largest value: below it a bin holds a few pairs by chance
+  double kT = 1;         ///< > 0
+  double cutoff = 0;     ///< of the potential, within the bins of g
+  double share = 0.5;    ///< of the full change that an update makes, in (0, 1]
+  double knots = 0.25;   ///< distance of the knots of the smoothing splines
+  double density = 0;    ///< particles per volume, to count neighbours' neighbours (Eq. (C23)); 0: do not
+  double least_g = 1e-3; ///< below it g says nothing: there the potential goes on as a + b r^2
+  double least_pairs =
+      0; ///< of g r^2 over its largest value: below it a measured bin holds a few pairs by chance
 };
 
 /// -kT ln g, smoothed, continued into the core and shifted to zero at the cut-off: where the iteration begins

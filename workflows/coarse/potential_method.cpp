@@ -23,6 +23,7 @@ PotentialSearch search_for(PotentialWishes const& wishes, CoarseStructure const&
   auto search = wishes.search;
   auto& inversion = search.inversion;
   inversion.kT = structure.kT;
+  inversion.least_pairs = 5e-4;
   inversion.cutoff = wishes.cutoff.value_or(usual_cutoff(structure.g, wishes.pressure));
   inversion.knots = std::max(inversion.knots, 2 * structure.g.width);
   double const reach = structure.g.width * double(structure.g.g.size());

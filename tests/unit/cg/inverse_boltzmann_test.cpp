@@ -116,8 +116,8 @@ TEST(InverseBoltzmann, TakesPressureAway) {
   EXPECT_NEAR(before.u[0] - much.u[0], 0.1 * kT * (1 - 0.5 * width / cutoff), 1e-12);
 }
 
-// The inversion's own change of the pressure is undone, but for what was to be changed; a pressure that is far
-// away is come to by a quarter.
+// The inversion's own change of the pressure is undone, but for what was to be changed; a pressure that is
+// far away is come to by a quarter.
 TEST(InverseBoltzmann, ComesToAPressureWhileItInverts) {
   double const density = 0.4;
   auto const target = bins_of([](double r) { return std::exp(-u_of(r) / kT); }),
@@ -133,14 +133,17 @@ TEST(InverseBoltzmann, ComesToAPressureWhileItInverts) {
   EXPECT_NEAR(pressure_change(before, far, now, density), -25, 1);
 }
 
-// At small distances there is little room: a bin that holds a few pairs by chance would make a well in the core.
+// At small distances there is little room: a bin that holds a few pairs by chance would make a well in the
+// core.
 TEST(InverseBoltzmann, DoesNotTakeAFewPairsForStructure) {
   auto g = bins_of([](double r) { return std::exp(-u_of(r) / kT) * (r > 1 ? 1 : 0); });
-  auto const without = boltzmann_potential(g, settings());
+  auto of_measured = settings();
+  of_measured.least_pairs = 5e-4;
+  auto const without = boltzmann_potential(g, of_measured);
   std::size_t const place = std::size_t(0.25 / g.width);
   for (std::size_t k = place; double(k) * g.width < 1; ++k)
     g.g[k] = 2e-3;
-  auto const with = boltzmann_potential(g, settings());
+  auto const with = boltzmann_potential(g, of_measured);
   EXPECT_NEAR(with.u[place], without.u[place], 0.2 * kT);
 }
 
