@@ -1,5 +1,6 @@
 #include "sdpd/simulation.hpp"
 #include "sdpd/make_system.hpp"
+#include "sdpd/observe/bond_order.hpp"
 #include "sdpd/observe/compression.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include "sdpd/scheme/scheme.hpp"
@@ -68,6 +69,10 @@ double Simulation::compression_response() const {
 
 double Simulation::pairing_fraction() const {
   return sdpd::pairing_fraction(*system_);
+}
+
+double Simulation::crystal_fraction() const {
+  return bond_order(*system_).crystal;
 }
 
 } // namespace mesobridge::sdpd

@@ -81,6 +81,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put(json, "rho_variance", in(e.rho.variance, units.density * units.density));
     put(json, "P_internal" + units.pressure_key, in(e.P_i.mean, units.pressure));
     put(json, "pairing_fraction", e.pairing);
+    put(json, "crystal_fraction", e.crystal);
   }
   if (features.energies) {
     put(json, "e" + units.specific_energy_key, in(e.eps.mean, units.specific_energy));
