@@ -3,9 +3,11 @@
 #include "sdpd/observe/bond_order.hpp"
 #include "sdpd/observe/compression.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "sdpd/observe/structure_factor.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/system/system.hpp"
+#include <algorithm>
 
 namespace mesobridge::sdpd {
 Simulation::Simulation(SimulationSettings const& settings)
@@ -72,7 +74,7 @@ double Simulation::pairing_fraction() const {
 }
 
 double Simulation::crystal_fraction() const {
-  return bond_order(*system_).crystal;
+  return std::max(bond_order(*system_).crystal, lattice_order(system_->particles.q, system_->box));
 }
 
 } // namespace mesobridge::sdpd

@@ -64,7 +64,7 @@ class Simulation {
   double compression_response() const;
   /// See observe/pairing.hpp.
   double pairing_fraction() const;
-  /// The share of crystal-like particles, see observe/bond_order.hpp.
+  /// The larger of bond_order().crystal and lattice_order(), see observe/.
   double crystal_fraction() const;
 
   /// The walls of the box, with what they have done so far.

@@ -96,6 +96,22 @@ StructurePeak structure_peak(std::span<Vec3 const> q, Box const& box) {
   return peak;
 }
 
+double lattice_order(std::span<Vec3 const> q, Box const& box) {
+  double const count = static_cast<double>(q.size()), spacing = std::cbrt(box.volume() / count);
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!box.periodic[static_cast<unsigned>(axis)])
+      continue;
+    double const edge = component(box.edge, axis);
+    double const k = 2 * std::numbers::pi * std::round(edge / spacing) / edge;
+    std::complex<double> sum;
+    for (auto const& at : q)
+      sum += std::polar(1.0, k * component(at, axis));
+    largest = std::max(largest, std::norm(sum) / (count * count));
+  }
+  return largest;
+}
+
 Measurement structure_factor() {
   static constexpr std::array<std::string_view, 2> components{"_peak", "_largest"};
   return {.name = "structure_factor",

@@ -189,5 +189,23 @@ TEST(StructureFactor, OfACrystalIsItsNumberOfParticlesAtItsOwnVectors) {
   EXPECT_THROW(structure_factor(crystal(2, simple_cubic), cube_of(8), 0.1, 0.2), InputError);
 }
 
+// exp(-(2 pi u)^2) of displacements u (Debye and Waller), and nothing where particles lie anywhere.
+TEST(LatticeOrder, FallsAsDisplacementsTellIt) {
+  auto settings = argon(100, 0.03);
+  settings.lattice = {9, 10, 11};
+  int ran = 0;
+  for (double const u : {0.0, 0.1, 0.15, 0.2}) {
+    settings.disorder = u;
+    Simulation const simulation(settings);
+    double const left = std::exp(-std::pow(2 * std::numbers::pi * u, 2));
+    EXPECT_NEAR(lattice_order(simulation.snapshot().q, simulation.box()), left, 0.12 * left + 1e-12) << u;
+    EXPECT_GE(simulation.crystal_fraction(),
+              lattice_order(simulation.snapshot().q, simulation.box()) - 1e-12);
+    ++ran;
+  }
+  EXPECT_EQ(ran, 4);
+  EXPECT_LT(lattice_order(gas(1000, 10, 4), cube_of(1000)), 0.01);
+}
+
 } // namespace
 } // namespace mesobridge::sdpd
