@@ -114,8 +114,7 @@ class Examination {
               "{:.3g} % of the particles had neighbours in the order of a crystal, {:.3g} % in the last "
               "quarter "
               "of the run: the particles are not a fluid. They have kept the lattice of the start or have "
-              "frozen; "
-              "take smaller particles, another number of neighbours or more steps to come to equilibrium",
+              "frozen; take particles.start = \"melted\", smaller particles or another number of neighbours",
               100 * means_.crystal.mean, 100 * in_the_end.mean));
   }
 
