@@ -65,6 +65,30 @@ BlockLevel plateau(std::span<double const> series) {
   return levels.back();
 }
 
+struct PairedError {
+  double se = 0, se_se = 0;
+};
+
+/// Standard error of the mean by all pairs of lags until the first whose sum is not positive (cg/README.md,
+/// Eq. (C50)): it follows a slow mode of small amplitude to where noise hides it.
+PairedError error_by_positive_pairs(std::span<double const> series) {
+  auto const gamma = autocovariance(series, series.size() / 2);
+  double const n = double(series.size());
+  double sum = -gamma[0];
+  std::size_t lags = 0;
+  for (; lags + 1 < gamma.size() && gamma[lags] + gamma[lags + 1] > 0; lags += 2)
+    sum += 2 * (gamma[lags] + gamma[lags + 1]);
+  double const unbiased = sum + (2 * double(lags) - 1) * sum / n;
+  double const se = std::sqrt(std::max(unbiased, 0.0) / n);
+  return {se, se * std::sqrt((double(lags) + 0.5) / n)};
+}
+
+/// The same mean with a larger standard error, and as many fewer independent samples.
+void enlarge(Estimate& estimate, double se) {
+  estimate.n_eff *= std::pow(estimate.se / se, 2);
+  estimate.se = se;
+}
+
 } // namespace
 
 bool agrees(Estimate const& estimate, double value, double z) {
@@ -96,10 +120,12 @@ Estimate estimate_mean(std::span<double const> series) {
       std::max_element(levels.begin(), levels.end(), [](BlockLevel const& a, BlockLevel const& b) {
         return a.se - 3 * a.se_se < b.se - 3 * b.se_se;
       });
-  if (surest->se - 3 * surest->se_se > estimate.se) {
-    estimate.n_eff *= std::pow(estimate.se / surest->se, 2);
-    estimate.se = surest->se;
-  }
+  if (surest->se - 3 * surest->se_se > estimate.se)
+    enlarge(estimate, surest->se);
+  if (is_constant(series))
+    return estimate;
+  if (auto const [se, se_se] = error_by_positive_pairs(series); se - se_se > estimate.se)
+    enlarge(estimate, se);
   return estimate;
 }
 

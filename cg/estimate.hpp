@@ -55,9 +55,9 @@ Estimate estimate_by_autocorrelation(std::span<double const> series);
 /// Throws InputError for fewer than 16 samples.
 Estimate estimate_by_blocking(std::span<double const> series);
 
-/// Mean and standard error: by autocorrelation time, cross-checked by blocking. Where blocking finds an error
-/// that is larger by more than three times its own uncertainty (a slow mode of small amplitude, which the
-/// window cuts), that larger error is returned. Throws InputError for fewer than 16 samples.
+/// Mean and standard error: by autocorrelation time; by pairs of lags (cg/README.md, Eq. (C50)) or blocking
+/// where those find more, by one or three times their own uncertainty: a slow mode of small amplitude ends
+/// the window too soon. Throws InputError for fewer than 16 samples.
 Estimate estimate_mean(std::span<double const> series);
 
 /// Variance of one sample with its standard error (the error propagated linearly through the squared

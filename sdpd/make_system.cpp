@@ -1,5 +1,6 @@
 #include "sdpd/make_system.hpp"
 #include "sdpd/conservative/refresh.hpp"
+#include "sdpd/conservative/relaxation.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/start/place.hpp"
 #include "sdpd/state/random.hpp"
@@ -8,9 +9,14 @@
 namespace mesobridge::sdpd {
 namespace {
 
+/// Standard deviation of the displacements, in spacings, that leaves exp(-(2 pi 0.6)^2) = 7e-7 of a lattice's
+/// peaks: less than S = 1 up to a million particles.
+constexpr double melting_disorder = 0.6;
+
 /// Positions on a simple cubic lattice whose spacing is the mean distance between particles, with Gaussian
 /// displacements, ids in its order.
 void place_on_lattice(Particles& particles, SimulationSettings const& settings) {
+  double const disorder = settings.melted ? melting_disorder : settings.disorder;
   NoiseSource const source(settings.seed, Stream::initial_positions, 0);
   double const spacing = settings.spacing();
   auto const [n_x, n_y, n_z] = settings.lattice;
@@ -20,8 +26,7 @@ void place_on_lattice(Particles& particles, SimulationSettings const& settings) 
       for (std::uint32_t x = 0; x < n_x; ++x, ++id) {
         auto const G = gaussians_reference(source, id, 0);
         particles.id[id] = id;
-        particles.q[id] =
-            spacing * (Vec3{x + 0.5, y + 0.5, z + 0.5} + settings.disorder * Vec3{G[0], G[1], G[2]});
+        particles.q[id] = spacing * (Vec3{x + 0.5, y + 0.5, z + 0.5} + disorder * Vec3{G[0], G[1], G[2]});
       }
 }
 
@@ -73,6 +78,8 @@ void fill(System& system, SimulationSettings const& s) {
   if (system.reaction)
     std::fill(particles.progress.begin(), particles.progress.end(), s.as<Sdpd>().reaction->progress);
   put_before_walls(system);
+  if (s.melted)
+    relax(system);
   if (s.noise)
     draw_momenta(particles, {}, system.boltzmann, s.seed);
 }

@@ -1,10 +1,13 @@
 #include "sdpd/simulation.hpp"
 #include "sdpd/make_system.hpp"
+#include "sdpd/observe/bond_order.hpp"
 #include "sdpd/observe/compression.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "sdpd/observe/structure_factor.hpp"
 #include "sdpd/scheme/scheme.hpp"
 #include "sdpd/state/pair_counts.hpp"
 #include "sdpd/system/system.hpp"
+#include <algorithm>
 
 namespace mesobridge::sdpd {
 Simulation::Simulation(SimulationSettings const& settings)
@@ -68,6 +71,10 @@ double Simulation::compression_response() const {
 
 double Simulation::pairing_fraction() const {
   return sdpd::pairing_fraction(*system_);
+}
+
+double Simulation::crystal_fraction() const {
+  return std::max(bond_order(*system_).crystal, lattice_order(system_->particles.q, system_->box));
 }
 
 } // namespace mesobridge::sdpd

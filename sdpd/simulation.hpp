@@ -64,6 +64,8 @@ class Simulation {
   double compression_response() const;
   /// See observe/pairing.hpp.
   double pairing_fraction() const;
+  /// The larger of bond_order().crystal and lattice_order(), see observe/.
+  double crystal_fraction() const;
 
   /// The walls of the box, with what they have done so far.
   std::vector<Wall> const& walls() const;

@@ -136,6 +136,8 @@ void check(SimulationSettings const& s) {
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
   require(s.disorders.contains(s.disorder), "disorder", s.disorder,
           s.disorders.demand() + " lattice spacings");
+  require(!s.melted || (s.features().densities && !s.layout), "start", "\"melted\"",
+          "must be \"lattice\" but for sdpd without regions, whose lattices make their densities");
   check_lattice(s);
   check(s.faces);
   check_baths(s);

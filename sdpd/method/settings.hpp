@@ -26,9 +26,12 @@ struct SimulationSettings {
   Faces faces = {};          ///< of the box; velocities and times in the units of the method
   BodyForce body_force = {}; ///< in the units of the method
   double disorder = 0;       ///< standard deviation of the initial displacements from it, in lattice spacings
-  bool noise = true;         ///< false: viscous smoothed particle hydrodynamics, which starts at rest
-  double skin = 0;           ///< of the neighbour lists, reduced; 0: chosen by the method
-  double dt = 0;             ///< time step, reduced, > 0
+  /// SDPD without a layout: no lattice is left at the start, and the energy of its disorder is gone, see
+  /// relax(); `disorder` has no meaning then.
+  bool melted = false;
+  bool noise = true; ///< false: viscous smoothed particle hydrodynamics, which starts at rest
+  double skin = 0;   ///< of the neighbour lists, reduced; 0: chosen by the method
+  double dt = 0;     ///< time step, reduced, > 0
   Scheme scheme = {};
   double bath_rate = 0; ///< of the Langevin bath during equilibration, reduced, >= 0; 0: by rescaling
   std::uint64_t seed = 1;

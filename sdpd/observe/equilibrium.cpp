@@ -89,6 +89,7 @@ Equilibrium EquilibriumSampler::result() const {
           features_.densities ? estimate(&M::rho_mean, &M::rho_variance) : ParticleMoments(),
           features_.densities ? estimate(&M::P_mean, &M::P_variance) : ParticleMoments(),
           features_.densities ? cg::estimate_mean(at_instants(&M::pairing)) : cg::Estimate(),
+          features_.densities ? cg::estimate_mean(at_instants(&M::crystal)) : cg::Estimate(),
           energy_drift(times_, energies_)};
 }
 

@@ -29,6 +29,7 @@ struct Equilibrium {
   cg::Estimate T_kin, T_int, P;
   ParticleMoments eps, rho, P_i;
   cg::Estimate pairing; ///< see pairing.hpp; SDPD
+  cg::Estimate crystal; ///< see bond_order.hpp; SDPD
   Drift drift;
 };
 
@@ -36,8 +37,9 @@ struct Equilibrium {
 struct InstantMoments {
   double eps_mean, eps_variance, rho_mean, rho_variance, P_mean, P_variance;
   double pairing = 0; ///< see pairing.hpp
+  double crystal = 0; ///< see bond_order.hpp
 };
-/// But for the pairing, which the lists of neighbours tell.
+/// But for pairing and crystal, which the lists of neighbours tell.
 InstantMoments moments(Snapshot const& now);
 
 /// Collects samples of a run at equilibrium. Scalars may be sampled often; moments of the particles now and

@@ -38,6 +38,7 @@ class Examination {
     if (conditions_.keeps_energy)
       look_at_energy();
     look_for_pairs();
+    look_for_crystal();
     return std::move(findings_);
   }
 
@@ -95,25 +96,44 @@ class Examination {
   }
 
   void look_for_pairs() {
-    auto const series = samples_.at_instants(&InstantMoments::pairing);
-    if (series.empty())
-      return;
-    // The instants lie apart, so that their scatter is the mean's error.
-    std::size_t const count = std::max<std::size_t>(series.size() / 4, 1), last = series.size() - count;
-    std::span<double const> const end(series.begin() + static_cast<std::ptrdiff_t>(last), series.end());
-    double const in_the_end = std::accumulate(end.begin(), end.end(), 0.0) / static_cast<double>(count);
-    double squares = 0;
-    for (double const share : end)
-      squares += (share - in_the_end) * (share - in_the_end);
-    double const se = std::sqrt(squares) / static_cast<double>(count);
-    if (std::max(means_.pairing.mean - 2 * means_.pairing.se, in_the_end - 2 * se) >
-        conditions_.tolerable_pairing)
+    auto const in_the_end = end_of(&InstantMoments::pairing);
+    if (is_surely_above(means_.pairing, in_the_end, conditions_.tolerable_pairing))
       add("pairing", false,
           fmt::format(
               "{:.3g} % of the particles had a neighbour nearer than {} mean distances, {:.3g} % in the last "
               "quarter of the run: the kernel lets particles pair, which carries pressure and density away; "
               "take kernel = \"wendland-c4\" or fewer neighbours",
-              100 * means_.pairing.mean, pairing_distance, 100 * in_the_end));
+              100 * means_.pairing.mean, pairing_distance, 100 * in_the_end.mean));
+  }
+
+  void look_for_crystal() {
+    auto const in_the_end = end_of(&InstantMoments::crystal);
+    if (is_surely_above(means_.crystal, in_the_end, conditions_.tolerable_crystal))
+      add("crystal", false,
+          fmt::format(
+              "{:.3g} % of the particles had neighbours in the order of a crystal, {:.3g} % in the last "
+              "quarter "
+              "of the run: the particles are not a fluid. They have kept the lattice of the start or have "
+              "frozen; take particles.start = \"melted\", smaller particles or another number of neighbours",
+              100 * means_.crystal.mean, 100 * in_the_end.mean));
+  }
+
+  /// The mean over the last quarter of the instants, which lie apart, so that their scatter is its error.
+  cg::Estimate end_of(double InstantMoments::*quantity) const {
+    auto const series = samples_.at_instants(quantity);
+    if (series.empty())
+      return {};
+    std::size_t const count = std::max<std::size_t>(series.size() / 4, 1), last = series.size() - count;
+    std::span<double const> const end(series.begin() + static_cast<std::ptrdiff_t>(last), series.end());
+    double const mean = std::accumulate(end.begin(), end.end(), 0.0) / static_cast<double>(count);
+    double squares = 0;
+    for (double const share : end)
+      squares += (share - mean) * (share - mean);
+    return {mean, std::sqrt(squares) / static_cast<double>(count)};
+  }
+
+  static bool is_surely_above(cg::Estimate const& mean, cg::Estimate const& in_the_end, double limit) {
+    return std::max(mean.mean - 2 * mean.se, in_the_end.mean - 2 * in_the_end.se) > limit;
   }
 
   EquilibriumSampler const& samples_;

@@ -18,6 +18,7 @@ struct HealthConditions {
   double thermal_energy = 0;       ///< heat capacity of all particles times the set temperature
   double thermal_pressure = 0;     ///< of an ideal gas of the fluid's molecules
   double tolerable_pairing = 0.01; ///< see pairing.hpp
+  double tolerable_crystal = 0.2;  ///< see bond_order.hpp
 };
 
 /// How far a straight line through a series rises from its first sample to its last.
@@ -29,9 +30,9 @@ struct Trend {
 Trend trend(std::span<double const> series);
 
 /// Compares the temperatures with each other and with the set one, which is 1, looks for means that still
-/// drift, for an energy that is not kept and for particles in pairs. A finding is beyond five standard errors
-/// and large: an error of one or two per cent that a long time step brings is a trade-off, not a finding.
-/// Empty for a good run.
+/// drift, for an energy that is not kept, for particles in pairs and for a crystal. A finding is beyond five
+/// standard errors and large: an error of one or two per cent that a long time step brings is a trade-off,
+/// not a finding. Empty for a good run.
 std::vector<Finding> examine(EquilibriumSampler const& samples, Equilibrium const& means,
                              HealthConditions const& conditions);
 

@@ -8,6 +8,8 @@ Measurement mean_neighbours();
 Measurement internal_energy_spread();
 Measurement compression_response();
 Measurement pressure_tensor();
+Measurement bond_order();
+Measurement structure_factor();
 Measurement wall_pressure();
 Measurement wall_work();
 Measurement wall_drag();
@@ -21,6 +23,8 @@ std::vector<Measurement> const& measurements() {
     list.push_back(internal_energy_spread());
     list.push_back(compression_response());
     list.push_back(pressure_tensor());
+    list.push_back(bond_order());
+    list.push_back(structure_factor());
     list.push_back(wall_pressure());
     list.push_back(wall_work());
     list.push_back(wall_drag());

@@ -73,7 +73,8 @@ void Equilibration::finish(Part const& part) {
     throw PhysicsError(
         fmt::format("step {}: while the system came to equilibrium, the kinetic temperature has "
                     "grown to {:.3g} times the set one: the motion is unstable; take a shorter "
-                    "time step",
+                    "time step or, for large particles of SDPD, which a lattice heats as it falls apart, "
+                    "particles.start = \"melted\"",
                     simulation_.step(), T_kin));
   // Weighted with the heat capacities, most of the exchange between the two kinds of energy, which makes
   // each temperature fluctuate, cancels.

@@ -76,6 +76,7 @@ struct Scene {
     std::string kernel = "wendland-c4"; ///< does not let particles pair; costs what the cubic one does
     double h_factor = 2.5;
     double disorder = 0.15;
+    std::string start = "lattice";
     std::optional<std::string> model; ///< dpd, dpde: a file that says what follows and how two interact
     std::optional<double> mass;       ///< dpd, dpde
     std::string density = "auto";

@@ -37,7 +37,7 @@ Particle particle_of(Scene const& scene) {
   double const instants = has.densities  ? 3
                           : has.energies ? 1
                                          : 0,
-               moments = has.densities  ? 7
+               moments = has.densities  ? 9
                          : has.energies ? 3
                                         : 0;
   return {.scalars = scalars,

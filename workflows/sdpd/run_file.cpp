@@ -24,8 +24,8 @@ std::int64_t last_step(Store const& store, std::string const& dataset, std::size
 std::vector<std::string> moment_names(sdpd::Features const& features) {
   if (!features.densities)
     return {"step", "eps_mean", "eps_variance"};
-  return {"step",         "eps_mean", "eps_variance", "rho_mean",
-          "rho_variance", "P_mean",   "P_variance",   "pairing_fraction"};
+  return {"step",   "eps_mean",   "eps_variance",     "rho_mean",        "rho_variance",
+          "P_mean", "P_variance", "pairing_fraction", "crystal_fraction"};
 }
 
 } // namespace
@@ -100,7 +100,8 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
                           m.rho_variance,
                           m.P_mean,
                           m.P_variance,
-                          m.pairing};
+                          m.pairing,
+                          m.crystal};
   row.resize(names.size());
   std::size_t const count = std::min(now.eps.size(), stored_particles);
   auto scaled = [count](std::vector<double> const& values, double unit) {
@@ -165,8 +166,8 @@ sdpd::EquilibriumSampler RunFile::replay() const {
   for (std::size_t r = 0; r < instants.size(); r += width) {
     std::vector<double> row(instants.begin() + static_cast<std::ptrdiff_t>(r),
                             instants.begin() + static_cast<std::ptrdiff_t>(r + width));
-    row.resize(8);
-    sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6], row[7]});
+    row.resize(9);
+    sampler.sample(sdpd::InstantMoments{row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8]});
   }
   return sampler;
 }

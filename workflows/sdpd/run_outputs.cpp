@@ -73,6 +73,7 @@ void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simu
   if (instant) {
     auto moments = sdpd::moments(now);
     moments.pairing = simulation.pairing_fraction();
+    moments.crystal = simulation.crystal_fraction();
     run_file_.append(now, moments, step);
   }
   if (profile)

@@ -46,6 +46,16 @@ double balance_error(RunFile const& file, OutputUnits const& units) {
   return sdpd::error_share(series);
 }
 
+/// How many independent samples each mean and variance rests on; errors of less than twenty are rough.
+Json independent_samples(sdpd::Equilibrium const& e, sdpd::Features const& features) {
+  Json json{{"T_kin", e.T_kin.n_eff}, {"P", e.P.n_eff}};
+  if (features.energies)
+    json["T_int"] = e.T_int.n_eff, json["e"] = e.eps.mean.n_eff;
+  if (features.densities)
+    json["rho"] = e.rho.mean.n_eff, json["rho_variance"] = e.rho.variance.n_eff;
+  return json;
+}
+
 } // namespace
 
 Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, RunFile const& file,
@@ -81,6 +91,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put(json, "rho_variance", in(e.rho.variance, units.density * units.density));
     put(json, "P_internal" + units.pressure_key, in(e.P_i.mean, units.pressure));
     put(json, "pairing_fraction", e.pairing);
+    put(json, "crystal_fraction", e.crystal);
   }
   if (features.energies) {
     put(json, "e" + units.specific_energy_key, in(e.eps.mean, units.specific_energy));
@@ -95,6 +106,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
       put(json, energy + "_per_particle" + units.energy_key,
           in(*mean, 1 / static_cast<double>(simulation.size())));
   put_measured(json, file, scene, units);
+  json["n_eff"] = independent_samples(e, features);
   if (settings.features().reacts)
     json["progress"] = simulation.observe().progress; // at the end
   if (auto const shock = shock_of(file.store(), scene, settings))

@@ -168,6 +168,7 @@ sdpd::SimulationSettings settings_of(Scene const& scene, int threads) {
       .T = scene.fluid.T,
       .lattice = particles_along_edges(scene),
       .disorder = scene.particles.disorder,
+      .melted = scene.particles.start == "melted",
       .noise = scene.noise(),
       .dt = scene.scheme.dt.value,
       .scheme = scheme_of(scene),

@@ -107,6 +107,29 @@ TEST(Estimate, BlockingCatchesASlowModeThatTheWindowCuts) {
   EXPECT_LT(estimate_mean(x).se, 1.3 * exact);
 }
 
+// Short runs of a fluid: sound and noise over a slow exchange of energy of small amplitude. The root mean
+// square of the quoted errors is to be the spread of the means; by the automatic window alone it was 1.8
+// times too small.
+TEST(Estimate, ErrorsAreTheSpreadWhereNoiseHidesASlowMode) {
+  std::mt19937_64 generator(8);
+  int cases = 0;
+  for (std::size_t const n : {900u, 3000u}) {
+    double spread = 0, quoted = 0, by_window = 0;
+    for (int k = 0; k < 600; ++k) {
+      auto x = ar1(n, 0.0, 0.0, generator);
+      auto const slow = ar1(n, std::exp(-1.0 / 30), 0.0, generator);
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] += 0.3 * slow[i];
+      spread += std::pow(mean_of(x), 2), quoted += std::pow(estimate_mean(x).se, 2);
+      by_window += std::pow(estimate_by_autocorrelation(x).se, 2);
+    }
+    EXPECT_NEAR(std::sqrt(spread / quoted), 1.07, 0.12) << n; // of 600: 0.03 by chance
+    EXPECT_GT(std::sqrt(spread / by_window), 1.5) << n;
+    ++cases;
+  }
+  EXPECT_EQ(cases, 2);
+}
+
 TEST(Estimate, VarianceOfAr1AndItsError) {
   std::mt19937_64 generator(6);
   int within_two = 0, cases = 0;

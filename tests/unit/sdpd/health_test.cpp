@@ -10,6 +10,7 @@ namespace {
 struct Story {
   double T_kin = 1, T_int = 1, P = 10, rho = 1, pairing = 0;     ///< means
   double rise_T = 0, rise_P = 0, rise_rho = 0, rise_pairing = 0; ///< from the first sample to the last
+  double crystal = 0;
   double energy_per_time = 0;
   std::size_t samples = 400;
 };
@@ -39,7 +40,8 @@ std::vector<Finding> findings(Story const& story, unsigned seed,
                    story.P + story.rise_P * x + P.next());
     if (k % 10 == 0)
       sampler.sample(InstantMoments{.rho_mean = story.rho + story.rise_rho * x + rho.next(),
-                                    .pairing = story.pairing + story.rise_pairing * x});
+                                    .pairing = story.pairing + story.rise_pairing * x,
+                                    .crystal = story.crystal});
   }
   return examine(sampler, sampler.result(), conditions);
 }
@@ -66,7 +68,9 @@ TEST(Health, FindsNothingAgainstGoodRuns) {
 TEST(Health, CallsTheBiasOfATimeStepNoFault) {
   int runs = 0;
   for (unsigned seed = 1; seed <= 50; ++seed, ++runs)
-    EXPECT_TRUE(findings({.T_kin = 1.015, .pairing = 0.005, .rise_pairing = 0.002}, seed).empty()) << seed;
+    EXPECT_TRUE(
+        findings({.T_kin = 1.015, .pairing = 0.005, .rise_pairing = 0.002, .crystal = 0.05}, seed).empty())
+        << seed;
   EXPECT_EQ(runs, 50);
 }
 
@@ -89,7 +93,8 @@ TEST(Health, FindsWhatIsWrongAndNothingElse) {
       {{.rise_P = -0.6}, "trend_of_P", false, 0},
       {{.rise_rho = -0.02}, "trend_of_rho", false, 0},
       {{.pairing = 0.03, .rise_pairing = 0.33}, "pairing", false, 0},
-      {{.rise_pairing = 0.014}, "pairing", false, 0},       // 0.7 % on average, more in the end
+      {{.rise_pairing = 0.014}, "pairing", false, 0}, // 0.7 % on average, more in the end
+      {{.crystal = 0.5}, "crystal", false, 0},
       {{.energy_per_time = 0.4}, "energy_drift", false, 0}, // 160 of 3000
       {{.energy_per_time = -2}, "energy_drift", true, 0},
   };
@@ -102,7 +107,7 @@ TEST(Health, FindsWhatIsWrongAndNothingElse) {
       EXPECT_EQ(std::ranges::find(all, name, &Finding::name)->spoils, spoils);
       EXPECT_LE(all.size(), 1 + others) << ::testing::PrintToString(names(all));
     }
-  EXPECT_EQ(ran, 5 * 14u);
+  EXPECT_EQ(ran, 5 * 15u);
 }
 
 TEST(Health, AsksOnlyWhatTheRunCanAnswer) {

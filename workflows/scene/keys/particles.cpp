@@ -28,6 +28,12 @@ std::vector<SceneKey> particle_keys() {
                 "standard deviation of the initial displacements from a cubic lattice, in its spacings")
           .in(sdpd::SimulationSettings::disorders),
       particles(
+          "start", &Scene::Particles::start,
+          "lattice: with that disorder, of which particles above K = 10^4 keep much; melted: without a "
+          "lattice, brought to a minimum of the free energy before they move, so that no heat is set free")
+          .choices({"lattice", "melted"})
+          .of<sdpd::Sdpd>(),
+      particles(
           "density", &Scene::Particles::density,
           "constants c, eps of rho_i = c sum_j m_j W_ij - eps m_i W_ii(0): 1 and 0 (plain); those of a "
           "glass; "
@@ -70,7 +76,8 @@ std::vector<SceneKey> particle_keys() {
           .written_if([](Scene const& scene) { return !scene.regions.empty(); })
           .of<sdpd::Sdpd>(),
       particles("model", &Scene::Particles::model,
-                "path of a model file, as `fit dpde` writes it, with the mass of a particle, its internal energy, the potential, the "
+                "path of a model file, as `fit dpde` writes it, with the mass of a particle, its internal "
+                "energy, the potential, the "
                 "friction and the conduction of two; what the scene says of one of these takes its place")
           .of<sdpd::Dpde, sdpd::Dpd>(),
       particles("mass", &Scene::Particles::mass, "mass of one particle; if not given, that of the model")
