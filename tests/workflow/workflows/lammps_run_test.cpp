@@ -2,7 +2,7 @@
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
-#include "workflows/text_file.hpp"
+#include <fmt/format.h>
 
 // `mesobridge run --engine lammps`, as its users run it.
 
@@ -102,7 +102,8 @@ TEST(LammpsRun, EndsCleanlyWhenARankIsKilled) {
                   "sleep 0.3; mpirun=$(cat /proc/$run/task/$run/children | tr -d ' '); "
                   "set -- $(cat /proc/$mpirun/task/$mpirun/children); kill -9 $2; wait $run",
                   run, (directory / "lammps.log").string());
-  auto const killed = run_process({"sh", "-c", script});
+  std::vector<std::string> const shell{"sh", "-c", script};
+  auto const killed = run_process(shell);
   EXPECT_EQ(killed.status, 4) << killed.errors;
   EXPECT_NE(killed.errors.find("a rank was ended by signal 9"), std::string::npos) << killed.errors;
   EXPECT_EQ(killed.output, "");
