@@ -55,17 +55,20 @@ void DecomposedFluid::stop_at(Failure const& failure, std::uint64_t step) const 
                                    dt_, failure.message()));
 }
 
-void DecomposedFluid::add_forces(RankParticles const& particles, std::uint64_t step) const {
+void DecomposedFluid::add_forces(RankParticles const& particles, std::uint64_t step) {
+  pairs_.clear();
+  for_each_sixteen(particles, range_, [&](SixteenPairs const& group) { pairs_.push_back(group); });
   Failure failure;
   std::visit(
       [&]<class Potential>(Potential const& potential) {
         if constexpr (!std::is_same_v<Potential, NoPotential>)
-          for_each_eight(particles, potential.cutoff(), [&](EightPairs const& at) {
+          for_each_eight(pairs_, [&](EightPairs const& at) {
             for (std::size_t l = 0; l < at.count; ++l)
               if (at.r[l] < potential.inner())
                 report_too_near(failure, particles.id(at.i[l]), particles.id(at.j[l]), at.r[l],
                                 potential.inner());
-            Lanes const strength = potential(at.r, at.inverse_r).strength;
+            Lanes const zero{}, s = potential(at.r, at.inverse_r).strength;
+            Lanes const strength = at.r < broadcast(potential.cutoff()) ? s : zero;
             add_opposite(particles.f, at, strength * at.x, strength * at.y, strength * at.z);
           });
       },
@@ -83,7 +86,7 @@ void DecomposedFluid::for_each_change(Law const& law, RankParticles const& parti
   double const* const start = start_.data();
   std::visit(
       [&](auto const& shape) {
-        for_each_sixteen(particles, shape.cutoff(), [&](SixteenPairs const& group) {
+        for (auto const& group : pairs_) {
           PairNoiseLanes const noise(source, particles, group, Law::noise);
           for (std::size_t from = 0; from < group.count; from += lane_count) {
             EightPairs const at(group, from);
@@ -102,7 +105,7 @@ void DecomposedFluid::for_each_change(Law const& law, RankParticles const& parti
                 noise.half(from));
             f(at, v, ser_change(law, bath, input, v, time));
           }
-        });
+        }
       },
       law.shape);
 }

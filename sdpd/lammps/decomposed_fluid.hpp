@@ -32,7 +32,7 @@ class DecomposedFluid {
   void kick_and_drift(RankParticles const& particles, double* q) const;
   /// The pairs' forces, added to `f`, also of ghosts, whose shares have still to go to their owners. Throws
   /// PhysicsError.
-  void add_forces(RankParticles const& particles, std::uint64_t step) const;
+  void add_forces(RankParticles const& particles, std::uint64_t step);
   /// Friction and noise of this step, if it is their turn. Throws PhysicsError.
   void fluctuate(RankParticles const& particles, GhostExchange& ghosts, std::uint64_t step);
 
@@ -50,6 +50,7 @@ class DecomposedFluid {
   std::uint64_t seed_;
   std::size_t row_;           ///< numbers of a particle at the start: velocity and, in DPDE, temperature
   std::vector<double> start_; ///< rows of them
+  std::vector<SixteenPairs> pairs_; ///< in range at the positions of the forces
   std::vector<double> impulse_, heat_;
   Particles own_; ///< for the thermodynamics
 };

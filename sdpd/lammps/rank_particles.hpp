@@ -2,6 +2,7 @@
 #include "sdpd/simd/wide_lanes.hpp"
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace mesobridge::sdpd {
 
@@ -96,13 +97,12 @@ void for_each_sixteen(RankParticles const& particles, double range, F const& f) 
     group.repeat_first(), f(group);
 }
 
-/// The same by eight.
+/// Calls f(eight pairs) for all of them.
 template <class F>
-void for_each_eight(RankParticles const& particles, double range, F const& f) {
-  for_each_sixteen(particles, range, [&](SixteenPairs const& group) {
+void for_each_eight(std::span<SixteenPairs const> pairs, F const& f) {
+  for (auto const& group : pairs)
     for (std::size_t from = 0; from < group.count; from += lane_count)
       f(EightPairs(group, from));
-  });
 }
 
 /// Adds strength * r_ij to the first particle of each pair and takes it from the second.
