@@ -146,6 +146,10 @@ double LammpsSession::compute(std::string const& id, int component) {
   });
 }
 
+void* LammpsSession::lammps() const {
+  return handle_->lammps;
+}
+
 UnitConstants LammpsSession::unit_constants() const {
   auto const value = [&](char const* name) {
     return *static_cast<double const*>(lammps_extract_global(handle_->lammps, name));

@@ -99,6 +99,9 @@ class LammpsSession {
   /// Moves the atoms of this rank between two runs; each must stay in the rank's part of the box.
   void set_positions(std::function<Vec3(std::int64_t id)> const& position_of);
 
+  /// The LAMMPS object itself, for those who register styles of their own with it.
+  void* lammps() const;
+
   /// Whether LAMMPS has a style, e.g. has_style("pair", "lj/cut").
   bool has_style(std::string const& category, std::string const& name) const;
 

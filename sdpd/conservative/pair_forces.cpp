@@ -34,12 +34,7 @@ struct PotentialForce {
     for (; near != 0; near &= near - 1) {
       auto const l = static_cast<std::size_t>(std::countr_zero(near));
       auto id = [&](std::size_t local) { return system.particles.id[global_index(members, local)]; };
-      auto const a = id(at.pair[l].i), b = id(at.pair[l].j);
-      failure.report(
-          std::min(a, b),
-          fmt::format("it is {:.6g} (reduced) from particle {}, nearer than {:.6g}, where the pair "
-                      "potential ends; take a shorter time step or a potential that goes further in",
-                      at.r[l], std::max(a, b), potential.inner()));
+      report_too_near(failure, id(at.pair[l].i), id(at.pair[l].j), at.r[l], potential.inner());
     }
   }
 };
@@ -84,6 +79,13 @@ double total(std::vector<double> const& parts) {
 }
 
 } // namespace
+
+void report_too_near(Failure& failure, std::uint32_t a, std::uint32_t b, double r, double inner) {
+  failure.report(std::min(a, b),
+                 fmt::format("it is {:.6g} (reduced) from particle {}, nearer than {:.6g}, where the pair "
+                             "potential ends; take a shorter time step or a potential that goes further in",
+                             r, std::max(a, b), inner));
+}
 
 void find_pair_forces(System& system) {
   std::size_t const blocks = system.neighbours.grid().blocks().size();

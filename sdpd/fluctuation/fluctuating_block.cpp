@@ -234,7 +234,7 @@ template <class Law>
 void prepare_pairs(System const& system, Law const& law, BlockGeometry const& block,
                    std::span<LocalPair const> pairs, NoiseSource const& source, PairInputs& inputs) {
   inputs.resize(pairs.size() + wide_count, Law::across, Law::noise);
-  with_weights(system, law, [&](auto const& weights) {
+  with_weights(system.kernel, law, [&](auto const& weights) {
     prepare_directions<Law::across, Law::noise>(block.rows(), block.size(), weights, pairs, inputs);
   });
   if (!system.particles.mass.empty())

@@ -140,7 +140,7 @@ using BlockOf = std::conditional_t<Law::has_energies, FluctuatingBlock, Momentum
 /// the last quantities a and b of their rows; for lanes and for numbers.
 template <class Law, class F>
 requires std::is_same_v<Law, SdpdLaw> || std::is_same_v<Law, SdpdConduction>
-void with_weights(System const& system, Law const&, F const& f) {
+void with_weights(AnyKernel const& any, Law const&, F const& f) {
   std::visit(
       [&](auto const& kernel) {
         f([&]<class X>(X const& r, X const& inverse_r, X const& a, X const& b) [[gnu::always_inline]] {
@@ -148,10 +148,10 @@ void with_weights(System const& system, Law const&, F const& f) {
           return PairWeights<X>{chi, chi};
         });
       },
-      system.kernel);
+      any);
 }
 template <class Law, class F>
-void with_weights(System const&, Law const& law, F const& f) {
+void with_weights(AnyKernel const&, Law const& law, F const& f) {
   std::visit(
       [&](auto const& shape) {
         f([&]<class X>(X const& r, X const&, X const&, X const&) [[gnu::always_inline]] { return shape(r); });

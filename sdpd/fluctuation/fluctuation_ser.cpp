@@ -2,6 +2,7 @@
 #include "sdpd/fluctuation/pair_integrator.hpp"
 #include "sdpd/fluctuation/pair_lanes.hpp"
 #include "sdpd/fluctuation/scaled_velocity.hpp"
+#include "sdpd/fluctuation/ser_change.hpp"
 #include "sdpd/fluctuation/sweep.hpp"
 
 namespace mesobridge::sdpd {
@@ -30,29 +31,13 @@ template <class Law, class Scale>
           {scale.velocity(a[0], b[0]), scale.velocity(a[1], b[1]), scale.velocity(a[2], b[2])}};
 }
 
-/// What the first particle of each pair gains of the scaled relative velocity, and the second loses, -Gamma v
-/// dt + Sigma G sqrt(dt), all pairs at the velocities and temperatures of the start.
+/// The change of eight pairs in single precision, as numbers that sums of momenta take.
 template <class Law>
 [[gnu::always_inline]] inline VectorLanes<Lanes>
 change_of(Start const& start, InputLanes<Law::across, FloatLanes> const& input, Sweep<Law> const& sweep) {
-  auto const& bath = start.bath;
-  FloatLanes const dt = constant<FloatLanes>(sweep.dt);
-  auto const [a_par, a_perp] = sweep.law.coefficients(input.weight);
-  FloatLanes const gamma_par = a_par * bath.gamma_over_a * dt;
-  FloatLanes const sigma_par = square_root(bath.thermal * gamma_par);
   VectorLanes<FloatLanes> const v{to_float(start.v.x), to_float(start.v.y), to_float(start.v.z)};
-  auto const &e = input.e, &G = input.G;
-  if constexpr (Law::across == Transverse::none) {
-    FloatLanes const along = sigma_par * input.G_along - gamma_par * dot(e, v);
-    return {to_double(along * e.x), to_double(along * e.y), to_double(along * e.z)};
-  } else {
-    FloatLanes const gamma_perp = a_perp * bath.gamma_over_a * dt,
-                     sigma_perp = square_root(bath.thermal * gamma_perp);
-    FloatLanes const along = (gamma_perp - gamma_par) * dot(e, v) + (sigma_par - sigma_perp) * input.G_along;
-    return {to_double(sigma_perp * G.x - gamma_perp * v.x + along * e.x),
-            to_double(sigma_perp * G.y - gamma_perp * v.y + along * e.y),
-            to_double(sigma_perp * G.z - gamma_perp * v.z + along * e.z)};
-  }
+  auto const change = ser_change(sweep.law, start.bath, input, v, sweep.dt);
+  return {to_double(change.x), to_double(change.y), to_double(change.z)};
 }
 
 /// Calls f(pair, count, scale, v, change) for the pairs of a block, eight at a time.
@@ -95,8 +80,7 @@ void add_impulses(System& system, std::size_t number, Sweep<Law> const& sweep) {
   });
 }
 
-/// The block's part of the heat of its particles, -(1/2) dp_ij (v_ij + dp_i/2m_i - dp_j/2m_j): with it the
-/// energy is conserved exactly, whatever the other pairs do.
+/// The block's part of the heat of its particles.
 template <class Law, class Masses>
 void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
   thread_local FluctuatingBlock block;
@@ -114,8 +98,8 @@ void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
           VectorLanes<Lanes> const& change) {
         for (std::size_t l = 0; l < count; ++l) {
           Vec3 const of_others = scale_of(masses, pair[l]).velocity(total[pair[l].i], total[pair[l].j]);
-          Vec3 const mean = Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * of_others;
-          double const given = -0.5 * dot(Vec3{change.x[l], change.y[l], change.z[l]}, mean);
+          double const given =
+              ser_heat({change.x[l], change.y[l], change.z[l]}, {v.x[l], v.y[l], v.z[l]}, of_others);
           heat[pair[l].i] += given, heat[pair[l].j] += given;
         }
       });
@@ -138,15 +122,7 @@ void apply(System& system) {
   for_each_range(system, [&](Range range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       particles.p[i] += system.impulse[i];
-      particles.eps[i] += system.energy_gain[i];
-      double const T = particles.caloric[i].T(system.energy_gain[i]);
-      if (!(T > 0))
-        failure.report(
-            particles.id[i],
-            fmt::format("fluctuation and dissipation (SER) took its internal energy to {:.6g} (in K "
-                        "k_B T), where its temperature is not positive; take a shorter time step",
-                        particles.eps[i]));
-      particles.T[i] = T;
+      gain_of_ser(particles, i, system.energy_gain[i], failure);
     }
   });
   system.stop_at(failure);

@@ -94,6 +94,12 @@ struct InputLanes {
     if constexpr (across == Transverse::own)
       weight.perp = load<Floats>(&from.weight_across[first]);
   }
+
+  /// Of noise as a vector, whose first component alone counts where all friction is along e.
+  [[gnu::always_inline]] InputLanes(PairWeights<Floats> const& weights, VectorLanes<Floats> const& direction,
+                                    VectorLanes<Floats> const& noise)
+      : weight(weights), e(direction), G(noise),
+        G_along(across == Transverse::none ? noise.x : dot(direction, noise)) {}
 };
 
 /// The Ornstein-Uhlenbeck steps of pairs in their baths.

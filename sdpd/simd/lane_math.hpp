@@ -114,7 +114,12 @@ template <class Floats>
 [[gnu::always_inline]] inline double power(double x, double s) {
   return std::pow(x, s);
 }
-/// The same in lanes, to single precision; anything for other x.
+/// The same in lanes, to a few units of round-off; anything for other x.
+[[gnu::always_inline]] inline Lanes power(Lanes const& x, double s) {
+  Lanes const exponent = s * logarithm(x), least = broadcast(-700); // exp(-700) is nothing beside 1
+  return exponential(exponent < least ? least : exponent);
+}
+/// The same to single precision.
 [[gnu::always_inline]] inline WideFloats power(WideFloats const& x, double s) {
   return exp_up_to_one(static_cast<float>(s) * logarithm(x));
 }

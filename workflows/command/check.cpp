@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/sdpd/lammps_run.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
@@ -14,7 +15,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct CheckOptions {
-  std::string scene;
+  std::string scene, engine = "built-in";
   std::vector<std::string> overrides;
   std::optional<std::string> drawing;
   bool keys = false;
@@ -47,7 +48,7 @@ Result check(CheckOptions const& options, Context const& context) {
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
   int const threads = context.options.threads.value_or(available_threads());
-  Scene const scene = load_run(options.scene, options.overrides, threads);
+  Scene const scene = load_run(options.scene, options.overrides, threads, engine_named(options.engine));
   auto const cost = estimate_cost(scene, threads);
   auto const disk = estimate_disk(scene);
   auto const settings = settings_for_check(scene, threads);
@@ -94,6 +95,7 @@ void declare(CLI::App& app, CheckOptions& options) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  add_engine(app, options.engine);
   app.add_option("--draw", options.drawing, "Draw where the particles begin")->type_name("FILE.svg");
   app.add_flag("--keys", options.keys, "Explain all keys of a scene");
 }

@@ -4,6 +4,7 @@
 #include "workflows/interrupt.hpp"
 #include "workflows/sdpd/equilibrium_report.hpp"
 #include "workflows/sdpd/film.hpp"
+#include "workflows/sdpd/lammps_run.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -19,7 +20,7 @@ namespace mesobridge::workflows {
 namespace {
 
 struct RunCommandOptions {
-  std::string scene;
+  std::string scene, engine = "built-in";
   std::vector<std::string> set;
   bool resume = false, force = false, no_report = false, frames = false, verbose = false;
   std::optional<double> max_hours;
@@ -78,7 +79,7 @@ std::optional<PastRun> past_of(RunFolder const& folder, Scene& scene, Context co
 }
 
 RunResult run_in(RunFolder const& folder, Scene scene, RunCommandOptions const& options,
-                 Context const& context, TimeLimit const& limit) {
+                 Context const& context, TimeLimit const& limit, std::optional<OtherEngine> const& engine) {
   auto const claimed = claim(folder, {options.scene, options.resume, options.force});
   if (!claimed.message.empty())
     context.log->info(claimed.message);
@@ -96,10 +97,12 @@ RunResult run_in(RunFolder const& folder, Scene scene, RunCommandOptions const& 
                                 .past = std::move(past),
                                 .command = context.command_line(),
                                 .tell = thermo_printer(options, context),
-                                .keep_going = [&](std::uint64_t steps) {
-                                  progress.update(static_cast<double>(steps));
-                                  return !interrupt_requested() && !limit.is_over();
-                                }});
+                                .keep_going =
+                                    [&](std::uint64_t steps) {
+                                      progress.update(static_cast<double>(steps));
+                                      return !interrupt_requested() && !limit.is_over();
+                                    },
+                                .engine = engine});
   progress.finish();
   return done;
 }
@@ -124,21 +127,14 @@ Result result_of(RunResult const& done, std::filesystem::path const& to_look_at,
   return result;
 }
 
-Result run_scene_file(RunCommandOptions const& options, Context const& context) {
-  TimeLimit const limit(options.max_hours);
-  auto overrides = options.set;
-  if (context.options.seed)
-    overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
-  int const threads = threads_of(context);
-  Scene const scene = load_run(options.scene, overrides, threads);
-  require(!options.frames || scene.film.quantity, "--frames", "given",
-          "needs a film: give film.quantity, whose value colours the particles");
-  auto const directory = results_folder(context.options.output, scene, options.scene);
-  refuse_shortages(scene, threads, directory);
+/// The run in its folder, with report and findings.
+Result carry_out(RunCommandOptions const& options, Context const& context, Scene const& scene,
+                 std::filesystem::path const& directory, TimeLimit const& limit,
+                 std::optional<OtherEngine> const& engine) {
   RunFolder const folder(context.output_directory(directory));
   FolderLock const lock(folder.path(), context.command_line());
   try {
-    auto const done = run_in(folder, scene, options, context, limit);
+    auto const done = run_in(folder, scene, options, context, limit, engine);
     if (!options.no_report)
       write_equilibrium_report(folder.report(), done, context.command_line());
     if (options.frames)
@@ -155,8 +151,28 @@ Result run_scene_file(RunCommandOptions const& options, Context const& context) 
   }
 }
 
+Result run_scene_file(RunCommandOptions const& options, Context const& context) {
+  TimeLimit const limit(options.max_hours);
+  auto overrides = options.set;
+  if (context.options.seed)
+    overrides.push_back(fmt::format("run.seed={}", *context.options.seed));
+  int const threads = threads_of(context);
+  Engine const engine = engine_named(options.engine);
+  Scene const scene = load_run(options.scene, overrides, threads, engine);
+  require(!options.frames || scene.film.quantity, "--frames", "given",
+          "needs a film: give film.quantity, whose value colours the particles");
+  auto const directory = results_folder(context.options.output, scene, options.scene);
+  refuse_shortages(scene, threads, directory);
+  if (engine == Engine::built_in)
+    return carry_out(options, context, scene, directory, limit, std::nullopt);
+  return run_on_lammps(scene, directory, context, [&](OtherEngine const& other) {
+    return carry_out(options, context, scene, directory, limit, other);
+  });
+}
+
 void declare(CLI::App& app, RunCommandOptions& options) {
   add_scene(app, options.scene, options.set);
+  add_engine(app, options.engine);
   auto* resume = app.add_flag(
       "--resume", options.resume,
       "Go on from the checkpoint in the output directory, or begin if nothing is there yet; with "

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/run_checks.hpp"
 #include "fitting/eos/linear_isochore.hpp"
+#include "sdpd/lammps/lammps_engine.hpp"
 #include "sdpd/method/settings.hpp"
 #include "sdpd/thermodynamics/particle_eos.hpp"
 #include "workflows/scene/checks.hpp"
@@ -99,6 +100,12 @@ void check_parts_of_reaction(Scene const& scene) {
                       sdpd::least_heat_capacity));
 }
 
+/// The ranks agree on the settings before the first of them looks for a time step.
+void check_for_lammps(Scene const& scene) {
+  require(!scene.scheme.dt.automatic, "scheme.dt", "auto", "the LAMMPS engine wants a number");
+  sdpd::refuse_for_lammps(settings_of(scene, 1));
+}
+
 } // namespace
 
 sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
@@ -124,10 +131,13 @@ void check_run(Scene const& scene, int threads) {
     sdpd::check_calibration(calibrated_settings(scene, threads), scale_condition_of(scene));
 }
 
-Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads) {
+Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads,
+               Engine engine) {
   Scene scene = load_scene(file, overrides);
   try {
     check_run(scene, threads);
+    if (engine == Engine::lammps)
+      check_for_lammps(scene);
   } catch (InputError const& error) {
     std::string const message = error.what();
     throw InputError(

@@ -13,7 +13,12 @@ sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads);
 /// PhysicsError when the model has no such state.
 void check_run(Scene const& scene, int threads);
 
-/// Reads a scene that is to be run: load_scene and check_run, whose messages then name the file.
-Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads);
+/// Who advances the particles: the engine of this program, or the same physics inside LAMMPS on MPI ranks.
+enum class Engine { built_in, lammps };
+
+/// Reads a scene that is to be run: load_scene and check_run, whose messages then name the file. What the
+/// engine cannot run is refused likewise.
+Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads,
+               Engine engine = Engine::built_in);
 
 } // namespace mesobridge::workflows

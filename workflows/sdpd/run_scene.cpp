@@ -180,7 +180,10 @@ class Run {
                                                      static_cast<std::int64_t>(simulation_.size()));
     for (auto const end = done_ + steps; done_ < end;) {
       auto const now = std::min(slice, end - done_);
-      simulation_.advance(static_cast<std::uint64_t>(now));
+      if (options_.engine)
+        options_.engine->advance(simulation_, static_cast<std::uint64_t>(now));
+      else
+        simulation_.advance(static_cast<std::uint64_t>(now));
       done_ += now;
       if (done_ < end)
         ask();
@@ -250,6 +253,8 @@ class Run {
                      .summary = {}};
     result.findings = findings_of(sampler, result, simulation_);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
+    if (options_.engine)
+      result.summary["engine"] = options_.engine->name, result.summary["ranks"] = options_.engine->ranks;
     write_summary(folder_.summary(), result.summary);
     outputs_->close();
     return result;

@@ -1,11 +1,19 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
 #include "sdpd/observe/health.hpp"
+#include "sdpd/simulation.hpp"
 #include "workflows/command.hpp"
 #include "workflows/sdpd/resumption.hpp"
 #include "workflows/sdpd/settings.hpp"
 
 namespace mesobridge::workflows {
+
+/// Another engine than the built-in one, which advances the simulation in its place.
+struct OtherEngine {
+  std::string name;
+  int ranks = 1;
+  std::function<void(sdpd::Simulation&, std::uint64_t steps)> advance;
+};
 
 struct RunOptions {
   std::filesystem::path directory; ///< exists
@@ -17,6 +25,8 @@ struct RunOptions {
   std::function<void(std::string const&)> tell = {}; ///< gets the log's lines of thermodynamics, if given
   /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).
   std::function<bool(std::uint64_t)> keep_going = [](std::uint64_t) { return true; };
+  /// Of the sampled steps, if not the built-in one; equilibrium is always found by that.
+  std::optional<OtherEngine> engine = {};
 };
 
 /// A finished run.

@@ -33,10 +33,11 @@ TEST(IncludeRule, UpstreamAndForeignIncludesAreAllowed) {
 }
 
 /// The rooms of the engine, each after those that it may include; files of no room are the simulation's.
-std::vector<std::string> const rooms{
-    "simd",        "threads",  "state",          "start",      "kernel",  "potential", "friction",
-    "conduction",  "kinetics", "thermodynamics", "neighbours", "system",  "boundary",  "conservative",
-    "fluctuation", "reaction", "scheme",         "method",     "observe", "",          "setup"};
+std::vector<std::string> const rooms{"simd",       "threads",  "state",      "start",        "kernel",
+                                     "potential",  "friction", "conduction", "kinetics",     "thermodynamics",
+                                     "neighbours", "system",   "boundary",   "conservative", "fluctuation",
+                                     "reaction",   "scheme",   "method",     "observe",      "",
+                                     "setup",      "lammps"};
 
 std::string room_of(std::filesystem::path const& file) {
   return file.parent_path().filename() == "sdpd" ? "" : file.parent_path().filename().string();

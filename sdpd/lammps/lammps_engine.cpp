@@ -1,0 +1,117 @@
+#include "sdpd/lammps/lammps_engine.hpp"
+#include "sdpd/lammps/styles.hpp"
+#include <optional>
+
+namespace mesobridge::sdpd {
+namespace {
+
+using Row = std::array<double, LammpsStyles::numbers_per_particle>;
+
+/// All of the particles as rows, as LammpsStyles::own_rows() gives those of a rank.
+std::vector<double> rows_of(Particles const& particles) {
+  std::vector<double> rows;
+  rows.reserve(LammpsStyles::numbers_per_particle * particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    auto const &q = particles.q[i], &p = particles.p[i];
+    bool const energies = !particles.eps.empty();
+    rows.insert(rows.end(), {double(particles.id[i]), q.x, q.y, q.z, p.x, p.y, p.z,
+                             energies ? particles.eps[i] : 0, energies ? particles.T[i] : 1});
+  }
+  return rows;
+}
+
+/// The other way round, in the order of the ids, which are 0 ... n-1.
+Particles particles_of(std::vector<double> const& rows, Features const& features) {
+  std::size_t const width = LammpsStyles::numbers_per_particle, n = rows.size() / width;
+  Particles particles;
+  particles.resize(n, features);
+  for (std::size_t k = 0; k < n; ++k) {
+    double const* const row = &rows[width * k];
+    auto const i = static_cast<std::size_t>(row[0]);
+    particles.id[i] = static_cast<std::uint32_t>(i);
+    particles.q[i] = {row[1], row[2], row[3]}, particles.p[i] = {row[4], row[5], row[6]};
+    if (features.energies)
+      particles.eps[i] = row[7], particles.T[i] = row[8];
+  }
+  return particles;
+}
+
+} // namespace
+
+struct LammpsEngine::Inside {
+  md::MpiWorld const& world;
+  SimulationSettings settings;
+  DecomposedFluid fluid;
+  std::filesystem::path log_file;
+  std::optional<md::LammpsSession> lammps; ///< from the first step on: until then the ranks wait without load
+  std::optional<LammpsStyles> styles;
+
+  /// A box with the styles and without atoms.
+  void prepare() {
+    auto& session = lammps.emplace(world, md::Ranks::all, log_file);
+    Vec3 const edge = box_of(settings).edge;
+    for (auto const* const command :
+         {"units lj", "atom_style atomic", "newton on", "atom_modify map array", "boundary p p p"})
+      session.command(command);
+    session.command("region box block 0 {} 0 {} 0 {} units box", edge.x, edge.y, edge.z);
+    session.command("create_box 1 box");
+    session.command("mass 1 1");
+    session.command("timestep {}", settings.dt);
+    session.command("neighbor {} bin", fluid.skin());
+    session.command("neigh_modify every 1 delay 0 check yes one 20000 page 400000");
+    styles.emplace(session, fluid);
+    session.command("thermo_style custom step");
+    session.command("thermo 0");
+  }
+
+  /// The particles, which the first rank has, and the forces on them.
+  void begin(std::uint64_t step, std::vector<double> const& rows) {
+    prepare();
+    styles->create(particles_of(world.root_gives(rows), settings.features()));
+    lammps->command("reset_timestep {}", step);
+    lammps->command("run 0 post no");
+  }
+
+  std::vector<double> run(std::uint64_t steps) {
+    lammps->command("run {} pre no post no", steps);
+    return world.gather_at_root(styles->own_rows());
+  }
+};
+
+LammpsEngine::LammpsEngine(md::MpiWorld const& world, SimulationSettings const& settings,
+                           std::filesystem::path const& log_file) {
+  refuse_for_lammps(settings);
+  inside_ = std::unique_ptr<Inside>(
+      new Inside{world, settings, DecomposedFluid(settings), log_file, std::nullopt, std::nullopt});
+}
+
+LammpsEngine::~LammpsEngine() {
+  if (inside_ && inside_->world.is_root())
+    inside_->world.root_gives(std::array{0.0, 0.0});
+}
+
+void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
+  auto const& world = inside_->world;
+  auto checkpoint = simulation.checkpoint();
+  world.root_gives(std::array{static_cast<double>(steps), static_cast<double>(checkpoint.step)});
+  if (!inside_->lammps)
+    inside_->begin(checkpoint.step, rows_of(checkpoint.particles));
+  checkpoint.particles = particles_of(inside_->run(steps), inside_->settings.features());
+  checkpoint.q_at_renewal = checkpoint.particles.q;
+  checkpoint.step += steps;
+  simulation.begin_from(checkpoint);
+}
+
+void LammpsEngine::serve() {
+  for (;;) {
+    auto const order = inside_->world.root_gives({});
+    auto const steps = static_cast<std::uint64_t>(order.at(0));
+    if (steps == 0)
+      return;
+    if (!inside_->lammps)
+      inside_->begin(static_cast<std::uint64_t>(order.at(1)), {});
+    inside_->run(steps);
+  }
+}
+
+} // namespace mesobridge::sdpd

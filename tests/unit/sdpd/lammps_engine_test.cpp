@@ -1,0 +1,128 @@
+#include "pair_fluid_fixtures.hpp"
+#include "scratch_directory.hpp"
+#include "sdpd/lammps/lammps_engine.hpp"
+#include <gtest/gtest.h>
+
+// The engine inside LAMMPS beside the built-in one, on one rank.
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// How far apart two simulations of the same particles are: the largest difference of positions, momenta and
+/// internal energies.
+struct Apart {
+  double q = 0, p = 0, eps = 0;
+};
+Apart apart(Simulation const& a, Simulation const& b) {
+  auto const one = a.snapshot(), other = b.snapshot();
+  Apart most;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    most.q = std::max(most.q, norm(a.box().minimum_image(one.q[i] - other.q[i])));
+    most.p = std::max(most.p, norm(one.p[i] - other.p[i]));
+    if (!one.eps.empty())
+      most.eps = std::max(most.eps, std::abs(one.eps[i] - other.eps[i]));
+  }
+  return most;
+}
+
+SimulationSettings with_ser(SimulationSettings settings) {
+  settings.scheme.pairs = "ser";
+  settings.dt = 0.005;
+  return settings;
+}
+
+std::vector<SimulationSettings> fluids() {
+  auto across = dpd_fluid(), power = dpde_fluid(60, 0.01, 2), table = dpde_fluid(60),
+       ideal = dpde_ideal(60, 0.01, 1);
+  across.as<Dpd>().friction = PowerFriction(4.5, 2, 1, 2);
+  power.as<Dpde>().friction = PowerFriction(4.5, 2, 1, 3);
+  table.as<Dpde>().friction = TabulatedFriction({0.1, 0.6, 1.2}, {4, 2, 0}, {2, 1, 0});
+  auto rare = dpde_fluid(20);
+  rare.scheme.verlet_steps = 3;
+  return {dpd_fluid(), across, dpde_fluid(60), power, table, ideal, rare};
+}
+
+/// How far the momenta may be apart after one step. The built-in engine takes directions and friction in
+/// single precision, the pairs inside LAMMPS in double: some 1e-7, and more by the root of a weight near the
+/// cut-off that is right to 1e-7 of its largest, as tables and powers but the square are.
+double one_step_apart(SimulationSettings const& settings) {
+  auto const* const of = std::get_if<Dpde>(&settings.method);
+  bool const square = !of || std::holds_alternative<PowerFriction>(of->friction);
+  bool const power =
+      of && square && std::abs(std::get<PowerFriction>(of->friction)(0.5).par - 4.5 / 4) > 1e-9;
+  return square && !power ? 4e-7 : 2e-4;
+}
+
+TEST(LammpsEngine, GoesTheWayOfTheBuiltInEngine) {
+  tests::ScratchDirectory const scratch;
+  md::MpiWorld const world;
+  constexpr std::uint64_t steps = 24;
+  int compared = 0;
+  for (auto const& fluid : fluids()) {
+    auto const settings = with_ser(fluid);
+    Simulation built_in(settings), inside(settings);
+    LammpsEngine engine(world, settings, scratch / "lammps.log");
+    built_in.advance(1), engine.advance(inside, 1);
+    double const allowed = one_step_apart(settings);
+    EXPECT_LT(apart(built_in, inside).p, allowed) << compared;
+    built_in.advance(steps - 1);
+    engine.advance(inside, 4), engine.advance(inside, steps - 5);
+    EXPECT_EQ(inside.step(), steps);
+    auto const difference = apart(built_in, inside);
+    EXPECT_LT(difference.q, allowed) << compared;
+    EXPECT_LT(difference.p, 10 * allowed) << compared;
+    EXPECT_LT(difference.eps, 20 * allowed) << compared;
+    auto other = settings;
+    other.seed = settings.seed + 1;
+    Simulation elsewhere(settings);
+    LammpsEngine other_noise(world, other, scratch / "other.log");
+    other_noise.advance(elsewhere, steps);
+    EXPECT_GT(apart(built_in, elsewhere).p, 0.1) << compared;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 7);
+}
+
+TEST(LammpsEngine, KeepsMomentumAndEnergyAcrossTheFacesOfTheBox) {
+  tests::ScratchDirectory const scratch;
+  md::MpiWorld const world;
+  auto settings = with_ser(dpde_ideal(60, 0.005, 1)); // no forces: the step of friction and noise alone
+  Simulation simulation(settings);
+  LammpsEngine engine(world, settings, scratch / "lammps.log");
+  auto const before = simulation.observe();
+  engine.advance(simulation, 200);
+  auto const after = simulation.observe();
+  EXPECT_NEAR(after.energy(), before.energy(), 1e-12 * before.energy() * 200);
+  EXPECT_LT(norm(after.momentum - before.momentum), 1e-10);
+  EXPECT_GT(std::abs(after.kinetic - before.kinetic), 1e-3 * before.kinetic);
+}
+
+TEST(LammpsEngine, HasPowersInDoublePrecision) {
+  int compared = 0;
+  for (double const s : {0.1, 0.7, 3.0, 20.0})
+    for (double x = 1; x > 1e-12; x *= 0.77, ++compared) {
+      double const exact = std::pow(x, s);
+      EXPECT_NEAR(power(broadcast(x), s)[3], exact, 1e-13 * exact) << x << " " << s;
+    }
+  EXPECT_GT(compared, 400);
+}
+
+TEST(LammpsEngine, NamesWhatItCannotRun) {
+  auto const refused = [](SimulationSettings const& settings) {
+    auto const found = lammps_refusals(settings);
+    return found.empty() ? std::string() : found.front();
+  };
+  EXPECT_EQ(refused(with_ser(dpd_fluid())), "");
+  EXPECT_NE(refused(dpd_fluid()).find("scheme.name"), std::string::npos);
+  EXPECT_NE(refused(argon(100, 0.01)).find("method.name"), std::string::npos);
+  EXPECT_EQ(lammps_refusals(argon(100, 0.01)).size(), 2u); // the scheme, too
+  auto conducting = with_ser(with_pair_conduction(dpde_fluid(60), PowerFriction(1, 0, 1, 2)));
+  EXPECT_NE(refused(conducting).find("conduction"), std::string::npos);
+  auto strang = with_ser(dpd_fluid());
+  strang.scheme.splitting = Splitting::strang;
+  EXPECT_NE(refused(strang).find("splitting"), std::string::npos);
+  EXPECT_THROW(refuse_for_lammps(dpd_fluid()), InputError);
+}
+
+} // namespace
+} // namespace mesobridge::sdpd

@@ -1,0 +1,114 @@
+#include "refusals.hpp"
+#include "scratch_directory.hpp"
+#include "workflows/command.hpp"
+#include "workflows/store/store.hpp"
+#include <fmt/format.h>
+
+// `mesobridge run --engine lammps`, as its users run it.
+
+namespace mesobridge::workflows {
+namespace {
+
+using tests::ScratchDirectory;
+
+std::vector<std::string> words(std::string const& engine, int ranks, std::filesystem::path const& directory,
+                               std::vector<std::string> const& more = {}) {
+  std::vector<std::string> all{"run",        MESOBRIDGE_SOURCE_DIR "/workflows/scenes/dpde-fluid.toml",
+                               "--engine",   engine,
+                               "--ranks",    std::to_string(ranks),
+                               "--threads",  "1",
+                               "-o",         directory.string(),
+                               "--json",     "--quiet",
+                               "--no-report"};
+  for (char const* set : {"particles.N=512", "scheme.name=ser", "scheme.dt=0.005", "run.equilibrate=32",
+                          "run.steps=64", "run.sample_every=2", "run.trajectory_every=32"})
+    all.insert(all.end(), {"--set", set});
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// The largest difference of two series over the largest of their numbers.
+double apart(std::filesystem::path const& a, std::filesystem::path const& b, std::string const& name) {
+  auto const one = Store(a / "run.h5", Store::Mode::read).read_doubles(name),
+             other = Store(b / "run.h5", Store::Mode::read).read_doubles(name);
+  EXPECT_EQ(one.size(), other.size());
+  double most = 0, scale = 0;
+  for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
+    most = std::max(most, std::abs(one[k] - other[k])), scale = std::max(scale, std::abs(one[k]));
+  EXPECT_GT(scale, 0);
+  return most / scale;
+}
+
+TEST(LammpsRun, AgreesOverRanksAndWithTheBuiltInEngine) {
+  ScratchDirectory const scratch;
+  auto const built_in = tests::program(words("built-in", 1, scratch / "built-in"));
+  ASSERT_EQ(built_in.status, 0) << built_in.errors;
+  for (int const ranks : {1, 2, 4}) {
+    auto const done = tests::program(words("lammps", ranks, scratch / std::to_string(ranks)));
+    ASSERT_EQ(done.status, 0) << done.errors;
+    auto const json = Json::parse(done.output);
+    EXPECT_EQ(json["engine"], "lammps");
+    EXPECT_EQ(json["ranks"], ranks);
+    for (char const* name : {"thermodynamics", "particles/eps"})
+      EXPECT_LT(apart(scratch / "built-in", scratch / std::to_string(ranks), name), 1e-6) << ranks << name;
+    EXPECT_TRUE(std::filesystem::exists(scratch / std::to_string(ranks) / "trajectory.h5"));
+  }
+  for (char const* ranks : {"2", "4"})
+    for (char const* name : {"thermodynamics", "particles/eps"})
+      EXPECT_LT(apart(scratch / "1", scratch / ranks, name), 1e-11) << ranks << name;
+  EXPECT_EQ(tests::program(words("lammps", 2, scratch / "seed", {"--seed", "7"})).status, 0);
+  EXPECT_GT(apart(scratch / "1", scratch / "seed", "particles/eps"), 1e-3);
+}
+
+TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
+  ScratchDirectory const scratch;
+  auto const whole = tests::program(words("lammps", 2, scratch / "whole"));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  auto const first =
+      tests::program(words("lammps", 2, scratch / "parts", {"--set", "run.steps=64", "--max-hours", "1e-5"}));
+  ASSERT_TRUE(first.status == 130 || first.status == 0) << first.errors;
+  auto const rest = tests::program(words("lammps", 1, scratch / "parts", {"--resume"}));
+  ASSERT_EQ(rest.status, 0) << rest.errors;
+  EXPECT_LT(apart(scratch / "whole", scratch / "parts", "thermodynamics"), 1e-10);
+}
+
+TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
+  ScratchDirectory const scratch;
+  auto const directory = (scratch / "a").string();
+  std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
+  std::vector<tests::Refusal> cases;
+  for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "run.seed=1", "scheme.name"),
+                                            {"argon-1000K", "scheme.name=ser", "method.name"},
+                                            {"dpde-fluid", "scheme.splitting=strang", "scheme.name"}})
+    for (char const* command : {"run", "check"})
+      cases.push_back(
+          {{command, scenes + scene + ".toml", "--engine", "lammps", "--set", set, "-o", directory},
+           2,
+           message});
+  EXPECT_EQ(tests::expect_refusals(cases), 6);
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+/// A rank is killed while the others are in the middle of their steps.
+TEST(LammpsRun, EndsCleanlyWhenARankIsKilled) {
+  ScratchDirectory const scratch;
+  auto const directory = scratch / "a";
+  std::string run = MESOBRIDGE_PROGRAM;
+  for (auto const& word : words("lammps", 2, directory, {"--set", "run.steps=10000000"}))
+    run += " '" + word + "'";
+  auto const script =
+      fmt::format("{} & run=$!; n=0; "
+                  "while ! test -s '{}' && test $n -lt 1000; do sleep 0.05; n=$((n+1)); done; "
+                  "sleep 0.3; mpirun=$(cat /proc/$run/task/$run/children | tr -d ' '); "
+                  "set -- $(cat /proc/$mpirun/task/$mpirun/children); kill -9 $2; wait $run",
+                  run, (directory / "lammps.log").string());
+  std::vector<std::string> const shell{"sh", "-c", script};
+  auto const killed = run_process(shell);
+  EXPECT_EQ(killed.status, 4) << killed.errors;
+  EXPECT_NE(killed.errors.find("a rank was ended by signal 9"), std::string::npos) << killed.errors;
+  EXPECT_EQ(killed.output, "");
+  EXPECT_FALSE(std::filesystem::exists(directory / "summary.json"));
+}
+
+} // namespace
+} // namespace mesobridge::workflows
