@@ -109,7 +109,8 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
     std::transform(group.begin(), group.end(), all.begin(), all.begin(), std::plus<>());
   double const decay = velocity_decay_lag(all, lags);
   auto const window = std::size_t(std::ceil(window_in_decays * decay));
-  bool const resolved = all[lags + 1] > least_resolved * all[lags], decayed = decay < double(last);
+  bool const resolved = all[lags + 1] > least_resolved * all[lags],
+             decayed = decay < 0.8 * double(last);                // so that groups fall to it, too
   double const N = double(series.molecules), alone = N / (N - 1); // all together have taken one's share
   auto const estimates = jackknife(groups, [&](Sums const& sums) {
     std::vector<double> numbers{

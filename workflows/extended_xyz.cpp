@@ -112,8 +112,7 @@ void ExtendedXyzWriter::append(ParticleFrame const& frame) {
   if (!head_there_.empty() && head_there_.find("=" + columns_of(frame) + " ") == std::string::npos)
     throw InputError(
         fmt::format("'{}' holds frames with other columns than {}, perhaps of an earlier version, "
-                    "whose lengths are in nm: rename it and its .seal, or go on without frames "
-                    "by run.xyz_every=0",
+                    "whose lengths are in nm: go on without such frames by run.xyz_every=0",
                     file_.string(), columns_of(frame)));
   head_there_.clear();
   write_all(Descriptor(file_, O_WRONLY | O_APPEND), text_of(frame), file_);

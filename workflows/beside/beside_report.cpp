@@ -23,6 +23,11 @@ struct RowBeside {
     double const apart = deviation({key, *values[run], *values[first]});
     return std::isfinite(apart) ? std::optional(apart) : std::nullopt;
   }
+  /// Two numbers without an error that are not the same.
+  bool differs_exactly(std::size_t run) const {
+    return values[run] && run != first && values[run]->se == 0 && values[first]->se == 0 &&
+           values[run]->mean != values[first]->mean;
+  }
 };
 
 /// In the order of the first run; what only others have follows.
@@ -60,7 +65,7 @@ Table numbers_table(std::vector<RunNumbers> const& runs) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       cells.push_back(row.values[k] ? with_error_text(*row.values[k]) : "");
       if (k > 0)
-        cells.push_back(deviation_text(row.deviation_of(k)));
+        cells.push_back(row.differs_exactly(k) ? "differs" : deviation_text(row.deviation_of(k)));
     }
     table.rows.push_back(std::move(cells));
   }

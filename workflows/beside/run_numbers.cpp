@@ -11,13 +11,19 @@ namespace {
 
 constexpr std::string_view error_ending = "_se";
 
-void collect(Json const& object, std::string const& before, RunNumbers& run) {
+constexpr int deepest = 16; // of objects within objects
+
+void collect(Json const& object, std::string const& before, RunNumbers& run, int depth = 0) {
+  require(depth <= deepest, "summary.json of", run.name,
+          fmt::format("must not have more than {} objects within each other", deepest));
   for (auto const& [key, value] : object.items()) {
     if (value.is_object())
-      collect(value, before + key + ".", run);
+      collect(value, before + key + ".", run, depth + 1);
     auto const error = object.find(key + std::string(error_ending));
-    if (value.is_number() && error != object.end() && error->is_number())
+    if (value.is_number() && error != object.end() && error->is_number()) {
+      require(error->get<double>() >= 0, run.name + ": " + key + "_se", error->get<double>(), "must be >= 0");
       run.numbers.push_back({before + key, {value.get<double>(), error->get<double>()}});
+    }
   }
 }
 
@@ -49,7 +55,8 @@ RunNumbers read_run_numbers(std::filesystem::path const& folder) {
   auto const json = read_json(file);
   require(json.is_object(), "RUN", file.string(), "must hold a JSON object");
   collect(json, "", run);
-  require(!run.numbers.empty(), "RUN", file.string(), "holds no number with a standard error");
+  require(!run.numbers.empty(), "RUN", file.string(),
+          "holds no number with a standard error outside of lists");
   run.keys = keys_of(folder / "scene.toml");
   return run;
 }

@@ -12,7 +12,6 @@ struct RunNumbers {
   std::filesystem::path folder; ///< with summary.json, perhaps scene.toml and run.h5
   std::vector<std::pair<std::string, cg::Estimate>> numbers; ///< all that have a standard error, "T_kin_K"
   std::vector<std::pair<std::string, std::string>> keys;     ///< of the scene, "particles.K"; none: no scene
-  double us_per_particle_step = 0;                           ///< 0: not known
 
   /// Null where it has none of that name.
   cg::Estimate const* number(std::string const& name) const;

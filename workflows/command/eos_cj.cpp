@@ -52,6 +52,10 @@ Result from_energy(CjOptions const& options, Context const& context) {
   require(std::isfinite(*options.e0), "--e0", *options.e0, "must be finite");
   fitting::EosState ahead{};
   ahead.rho = options.initial.rho0, ahead.e = *options.e0, ahead.P = P0;
+  ahead.T = product.fluid.at_energy(ahead.rho, ahead.e).T; // of the explosion at constant volume: a scale
+  require(
+      ahead.T > 0, "--e0", ahead.e,
+      fmt::format("must be above the energy that the products have at T = 0 and density {:g}", ahead.rho));
   auto result = told({ahead, product.fluid, 0}, product, {{"product", options.product}}, context);
   result.json["e0" + unit_key(product, "_J_kg")] = ahead.e;
   result.json["P0" + unit_key(product, "_Pa")] = P0;

@@ -32,8 +32,14 @@ struct Side {
   fitting::EosState state(NamedFluid const& fluid) const {
     require_positive_number("--rho-" + name, rho);
     require(std::isfinite(u), "--u-" + name, u, "must be finite");
-    if (P)
-      return fitting::state_at_pressure(fluid.fluid, rho, *P);
+    if (P) {
+      require(std::isfinite(*P), "--P-" + name, *P, "must be finite");
+      try {
+        return fitting::state_at_pressure(fluid.fluid, rho, *P);
+      } catch (PhysicsError const& error) {
+        throw PhysicsError(fmt::format("--P-{}: {}", name, error.what()));
+      }
+    }
     require(T.has_value(), "--T-" + name, "nothing", "or --P-" + name + " must be given");
     require_positive_number("--T-" + name, *T);
     return fluid.fluid.at_temperature(rho, *T);

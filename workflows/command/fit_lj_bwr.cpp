@@ -24,8 +24,9 @@ struct FitLjBwrOptions {
 
 /// What `cg state-grid` wrote, or a table of the user's own.
 cg::StateGrid states_of(std::filesystem::path const& file) {
-  auto const ending = file.extension();
-  return ending == ".csv" || ending == ".txt" || ending == ".dat"
+  auto ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return ending == ".csv" || ending == ".tsv" || ending == ".txt" || ending == ".dat"
              ? parse_state_csv(read_text_file(file), file.string())
              : read_state_grid(file);
 }

@@ -8,6 +8,7 @@
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 #include "workflows/sdpd/run_text.hpp"
+#include "workflows/store/store.hpp"
 #include "workflows/summary.hpp"
 #include <CLI/CLI.hpp>
 #include <spdlog/logger.h>
@@ -29,8 +30,6 @@ void require_finished(sdpd::Checkpoint const& checkpoint, Scene const& scene, Ru
 /// The results of a finished run as its own files tell them: not a step is made.
 RunResult finished_run(RunFolder const& folder, Context const& context) {
   int const threads = context.options.threads.value_or(available_threads());
-  require(std::filesystem::is_directory(folder.path()), "RUN", folder.path().string(),
-          "must be a folder that `run` has written");
   require(folder.has_checkpoint() && std::filesystem::exists(folder.scene()), "RUN", folder.path().string(),
           "holds no checkpoint of `run` with its scene.toml: other commands write their reports again when "
           "they are called with --resume, or as they were");
@@ -41,20 +40,36 @@ RunResult finished_run(RunFolder const& folder, Context const& context) {
   return run_scene(scene, {.directory = folder.path(),
                            .threads = threads,
                            .past = past_run(std::move(stored)),
-                           .command = context.command_line()});
+                           .told_again = true});
+}
+
+/// The command that made the run.
+std::string command_of(RunFolder const& folder) {
+  return Store(folder.run_file(), Store::Mode::read).read_text_attribute("provenance", "command");
 }
 
 Result again(std::filesystem::path const& path, Context const& context) {
+  require(!context.options.output, "--output", context.options.output.value_or("").string(),
+          "is for several runs: the report of one stands beside its files");
   RunFolder const folder(path);
+  require(std::filesystem::is_directory(path), "RUN", path.string(),
+          "must be a folder that `run` has written");
+  FolderLock const lock(path, context.command_line());
   auto const done = finished_run(folder, context);
-  auto const file =
-      context.options.output ? context.output_directory({}) / folder.report().filename() : folder.report();
-  FolderLock const lock(file.parent_path(), context.command_line());
-  write_equilibrium_report(file, done, context.command_line());
+  auto const file = folder.report();
+  write_equilibrium_report(file, done, command_of(folder));
+  for (auto const& finding : done.findings)
+    context.log->warn("warning: {}", finding.text);
   Result result{.json = done.summary};
   result.json["report"] = file.string();
   result.text = run_text(done) + file.string();
   return result;
+}
+
+/// The numbers side by side get a folder of their own: they would take the place of a run's.
+void refuse_folder_of(std::filesystem::path const& run, std::filesystem::path const& directory) {
+  require(!std::filesystem::equivalent(run, directory) && !RunFolder(directory).holds_run(), "--output",
+          directory.string(), "must be another folder than that of a run");
 }
 
 Result beside(Folders const& folders, Context const& context) {
@@ -66,6 +81,8 @@ Result beside(Folders const& folders, Context const& context) {
   for (auto const& folder : folders)
     report.provenance.inputs.emplace_back(folder / "summary.json");
   auto const directory = context.output_directory("out/beside");
+  for (auto const& folder : folders)
+    refuse_folder_of(folder, directory);
   auto result = with_report(directory, beside_runs_json(runs), report.html());
   result.text = beside_runs_text(runs) + result.text;
   return result;

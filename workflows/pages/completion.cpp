@@ -57,7 +57,8 @@ std::string bash_script(std::vector<CommandPage> const& pages) {
   return fmt::format(R"(# Completion of mesobridge for bash; made by `mesobridge completion bash`.
 _mesobridge() {{
   local current="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" words='' command
-  local first="${{COMP_WORDS[1]}}" second="${{COMP_WORDS[2]}}"
+  local first="${{COMP_WORDS[1]-}}" second="${{COMP_WORDS[2]-}}"
+  [[ "$before" == '=' ]] && before="${{COMP_WORDS[COMP_CWORD-2]}}" # --preset=quick is three words to bash
   COMPREPLY=()
   if (( COMP_CWORD == 1 )); then
     COMPREPLY=($(compgen -W '{0} --help --version' -- "$current"))
@@ -128,11 +129,9 @@ std::string fish_script(std::vector<CommandPage> const& pages) {
     script += fmt::format("complete -c mesobridge -n __fish_use_subcommand -f -a {}\n", word);
     for (auto const& second : second_words(pages, word)) {
       auto const page = std::ranges::find(pages, word + " " + second, &CommandPage::name);
-      script += fmt::format("complete -c mesobridge -n '__fish_seen_subcommand_from {}; and not "
-                            "__fish_seen_subcommand_from {}' "
-                            "-f -a {} -d {}\n",
-                            word, fmt::join(second_words(pages, word), " "), second,
-                            quoted_for_fish(page->summary));
+      script += fmt::format("complete -c mesobridge -n 'test (count (commandline -opc)) -eq 2; and test "
+                            "(commandline -opc)[2] = {}' -f -a {} -d {}\n",
+                            word, second, quoted_for_fish(page->summary));
     }
   }
   for (auto const& page : pages)

@@ -138,6 +138,7 @@ Files files_of(std::filesystem::path const& directory) {
   static std::vector<Files::Entry> const known{
       {"summary.json", "all results with their standard errors"},
       {"run.h5", "samples, instants, profiles and histograms (HDF5)"},
+      {former_h5md_name, "positions and velocities (H5MD), of an earlier version"},
       {"trajectory.h5md", "positions, velocities and what particles have (H5MD)"},
       {"trajectory.vtkhdf", "the particles for ParaView"},
       {"trajectory.xyz", "the particles for OVITO"},

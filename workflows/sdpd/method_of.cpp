@@ -23,9 +23,10 @@ auto from_table(std::string const& key, std::string const& file, Make const& mak
   }
 }
 
-/// What the scene's model of a particle says of two of them, "r" and others by their reduced names; the scene's checks
-/// have seen to it that it does.
-fitting::PairColumns columns_of_model(Scene const& scene, fitting::PairColumns fitting::ParticleModel::*part) {
+/// What the scene's model of a particle says of two of them, "r" and others by their reduced names; the
+/// scene's checks have seen to it that it does.
+fitting::PairColumns columns_of_model(Scene const& scene,
+                                      fitting::PairColumns fitting::ParticleModel::*part) {
   return particle_model_of(scene).value().*part;
 }
 

@@ -34,7 +34,8 @@ class Run {
   RunResult carry_out() {
     try {
       auto result = run();
-      log_->end(run_text(result));
+      if (log_)
+        log_->end(run_text(result));
       return result;
     } catch (std::exception const& error) {
       if (log_)
@@ -118,13 +119,14 @@ class Run {
   }
 
   void go_on(PastRun const& past) {
-    open_log(true);
+    if (!options_.told_again)
+      open_log(true);
     auto const& checkpoint_there = past.stored.checkpoint;
     simulation_.restore(checkpoint_there);
     done_ = static_cast<std::int64_t>(checkpoint_there.step) - scene_.run.equilibrate;
     require(done_ <= scene_.run.steps, "run.steps", scene_.run.steps,
             fmt::format("must be at least {}: so many are done already", done_));
-    bool const changed = past.stored.scene != provenance_.scene;
+    bool const changed = !options_.told_again && past.stored.scene != provenance_.scene;
     if (changed && folder_.read_scene() == past.stored.scene) // not a file that its user has changed
       folder_.write_scene(provenance_.scene);
     if (done_ < 0) {
@@ -255,7 +257,8 @@ class Run {
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
     if (options_.engine)
       result.summary["engine"] = options_.engine->name, result.summary["ranks"] = options_.engine->ranks;
-    write_summary(folder_.summary(), result.summary);
+    if (!options_.told_again)
+      write_summary(folder_.summary(), result.summary);
     outputs_->close();
     return result;
   }

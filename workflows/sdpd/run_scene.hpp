@@ -21,6 +21,7 @@ struct RunOptions {
   /// To go on from; the scene is then that of resumed_scene(). Nothing: the run begins, and what another one
   /// left in the directory is replaced.
   std::optional<PastRun> past = {};
+  bool told_again = false; ///< of a finished run, whose log and summary stay as they are
   std::string command;                               ///< the command line, for the files' provenance
   std::function<void(std::string const&)> tell = {}; ///< gets the log's lines of thermodynamics, if given
   /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).

@@ -16,7 +16,7 @@ struct FrameSchedules {
 /// The H5MD file of a run, with the ending by which MDAnalysis knows it, and what it was called once.
 inline constexpr char const *h5md_name = "trajectory.h5md", *former_h5md_name = "trajectory.h5";
 
-/// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5`
+/// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5md`
 /// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
 /// its checkpoint bit for bit: frames that a file holds already are skipped, and those that a run which was
 /// killed wrote after its last mark() are gone.

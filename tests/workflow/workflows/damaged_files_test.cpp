@@ -123,7 +123,7 @@ class DamagedFiles : public ::testing::Test {
 
   std::vector<std::string> const of_broken{
       "checkpoint.h5",      "checkpoint.previous.h5", "run.h5",
-      "run.h5.undo",        "trajectory.h5md",          "trajectory.h5md.undo",
+      "run.h5.undo",        "trajectory.h5md",        "trajectory.h5md.undo",
       "trajectory.vtkhdf",  "trajectory.vtkhdf.undo", "trajectory.xyz",
       "trajectory.xyz.undo"},
       of_whole{"checkpoint.h5",     "run.h5",         "trajectory.h5md",

@@ -51,7 +51,7 @@ TEST(LammpsRun, AgreesOverRanksAndWithTheBuiltInEngine) {
     EXPECT_EQ(json["ranks"], ranks);
     for (char const* name : {"thermodynamics", "particles/eps"})
       EXPECT_LT(apart(scratch / "built-in", scratch / std::to_string(ranks), name), 1e-6) << ranks << name;
-    EXPECT_TRUE(std::filesystem::exists(scratch / std::to_string(ranks) / "trajectory.h5"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / std::to_string(ranks) / "trajectory.h5md"));
   }
   for (char const* ranks : {"2", "4"})
     for (char const* name : {"thermodynamics", "particles/eps"})

@@ -186,7 +186,8 @@ TEST(Run, TakesTheDiskThatCheckForetold) {
   auto const check = run_process(words);
   ASSERT_EQ(check.status, 0) << check.errors;
   double taken = 0;
-  for (char const* name : {"run.h5", "trajectory.h5md", "trajectory.vtkhdf", "trajectory.xyz", "checkpoint.h5"})
+  for (char const* name :
+       {"run.h5", "trajectory.h5md", "trajectory.vtkhdf", "trajectory.xyz", "checkpoint.h5"})
     taken += static_cast<double>(std::filesystem::file_size(scratch / "a" / name));
   EXPECT_NEAR(Json::parse(check.output)["estimated_disk_bytes"].get<double>() / taken, 1, 0.1);
 }
