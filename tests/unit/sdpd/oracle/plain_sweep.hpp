@@ -8,7 +8,7 @@ template <class Law, class SweepBlock>
 void sweep_plainly(System& system, Law const& law, double dt, SweepNoise const& noise, PairCounts& total,
                    SweepBlock const& sweep_block) {
   Sweep<Law> const sweep{law, dt, noise};
-  with_weights(system, law, [&](auto const& weights) {
+  with_weights(system.kernel, law, [&](auto const& weights) {
     sweep_all_blocks<Law>(system, total, [&](std::size_t block, PairCounts& counts, Failure& failure) {
       sweep_block(weights, block, sweep, counts, failure);
     });
