@@ -159,7 +159,8 @@ CommandPage page_of(Command const& command, CLI::App const& app) {
   CommandPage page{.name = command.name,
                    .summary = command.summary,
                    .usage = usage_of(command, app),
-                   .example = command.example};
+                   .example = command.example,
+                   .description = app.get_description()};
   for (auto const* option : app.get_options())
     page.options.push_back(option_page(*option));
   return page;

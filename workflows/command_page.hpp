@@ -19,6 +19,7 @@ struct CommandPage {
   std::string name, summary;
   std::string usage; ///< "mesobridge run SCENE.toml [OPTIONS]"
   std::string example;
+  std::string description = {};         ///< paragraphs, where the summary is not all that there is to say
   std::vector<OptionPage> options = {}; ///< in the order in which they were declared
 };
 

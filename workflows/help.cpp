@@ -88,7 +88,8 @@ std::string group_overview(std::string const& group, std::vector<Command> const&
 
 std::string command_help(CommandPage const& page, std::size_t columns) {
   columns = readable(columns);
-  std::string text = "\n" + wrapped("Usage: " + page.usage, columns, 2) + "\n";
+  std::string text =
+      wrapped(page.description, columns, 0) + "\n" + wrapped("Usage: " + page.usage, columns, 2) + "\n";
   text += titled("Arguments", options_text(page, "Options", true, columns));
   text += titled("Options", options_text(page, "Options", false, columns));
   text += titled("Common options", options_text(page, "Common options", false, columns));

@@ -2,6 +2,7 @@
 #include "workflows/version.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
@@ -39,6 +40,15 @@ std::string section(std::string const& title, std::string const& text) {
   return text.empty() ? "" : fmt::format(".SH \"{}\"\n{}", title, text);
 }
 
+/// Paragraphs stand between empty lines.
+std::string paragraphs(std::string const& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    result += line.empty() ? ".PP\n" : roff(line) + "\n";
+  return result;
+}
+
 } // namespace
 
 std::string manual_file(CommandPage const& page) {
@@ -49,6 +59,7 @@ std::string manual_file(CommandPage const& page) {
 
 std::string manual_page(CommandPage const& page) {
   return heading(page.name, page.summary) + section("SYNOPSIS", ".B " + roff(page.usage) + "\n") +
+         section("DESCRIPTION", paragraphs(page.description)) +
          section("ARGUMENTS", options_of(page, "Options", true)) +
          section("OPTIONS", options_of(page, "Options", false)) +
          section("COMMON OPTIONS", options_of(page, "Common options", false)) +

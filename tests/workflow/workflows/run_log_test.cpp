@@ -48,7 +48,8 @@ std::vector<std::vector<double>> thermo(std::string const& log) {
 TEST(RunLog, HoldsTheNumbersOfTheSamples) {
   ScratchDirectory const scratch;
   auto const folder = scratch / "out";
-  auto const result = run_process(words(folder, {"--set", "run.steps=1000", "--quiet"}));
+  auto const result =
+      run_process(words(folder, {"--set", "run.steps=1000", "--set", "particles.start=melted", "--quiet"}));
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(result.errors, "");
   auto const log = read_text_file(folder / "log.txt");
