@@ -104,7 +104,7 @@ TEST_P(SoftTradeOff, RecommendsATimeStepThatKeepsTheTemperature) {
   std::string const scene = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + std::string(GetParam()) + ".toml";
   ScratchDirectory const scratch;
   auto const study = program({"trade-off", scene, "--schemes", "ssa", "--integrators", "verlet", "--dt",
-                              "0.01,0.02,0.04,0.06", "--time", "150", "--particles", "216", "--no-limit",
+                              "0.01,0.02,0.04,0.06", "--time", "300", "--particles", "216", "--no-limit",
                               "--bias", "1%", "-o", (scratch / "study").string(), "--quiet", "--json"});
   ASSERT_EQ(study.status, 0) << study.errors;
   auto const json = Json::parse(study.output);
