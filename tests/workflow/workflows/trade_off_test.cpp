@@ -127,8 +127,8 @@ TEST_P(SoftTradeOff, RecommendsATimeStepThatKeepsTheTemperature) {
   EXPECT_LE(dt, 0.06);
   for (auto const& trial :
        json["configurations"][0]["trials"]) // longer steps heat the fluid: trends are errors
-    if (trial["dt_reduced"] == dt)
-      se_of_study = trial["bias_T_kin_se"];
+    if (trial["dt_reduced"].get<double>() <= 0.045)
+      se_of_study = std::max(se_of_study, trial["bias_T_kin_se"].get<double>());
   EXPECT_GT(se_of_study, 0);
   // Another run at that step, of a fluid whose temperature is known.
   auto const run = program({"run", scene, "-o", (scratch / "run").string(), "--quiet", "--json", "--seed",
