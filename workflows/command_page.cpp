@@ -2,6 +2,8 @@
 #include "workflows/common_options.hpp"
 #include <CLI/CLI.hpp>
 #include <array>
+#include <fmt/ranges.h>
+#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
@@ -23,14 +25,21 @@ std::string type_word(std::string const& type) {
   return type;
 }
 
+/// The words of "{quick,standard}"; none of other texts.
+std::vector<std::string> words_in(std::string const& checks) {
+  std::vector<std::string> words;
+  if (!checks.starts_with("{") || !checks.ends_with("}"))
+    return words;
+  std::istringstream list(checks.substr(1, checks.size() - 2));
+  for (std::string word; std::getline(list, word, ',');)
+    words.push_back(word);
+  return words;
+}
+
 /// What CLI11 writes behind the colon: "{quick,standard}" or "INT in [1 - 1000]".
 std::string allowed_text(std::string const& checks) {
-  if (checks.starts_with("{") && checks.ends_with("}")) {
-    std::string list;
-    for (char const c : checks.substr(1, checks.size() - 2))
-      list += c == ',' ? ", " : std::string(1, c);
-    return "one of " + list;
-  }
+  if (auto const words = words_in(checks); !words.empty())
+    return fmt::format("one of {}", fmt::join(words, ", "));
   if (auto const bounds = checks.find(" in ["); bounds != std::string::npos && checks.ends_with("]")) {
     auto const range = checks.substr(bounds + 5, checks.size() - bounds - 6);
     auto const dash = range.find(" - ");
@@ -118,23 +127,10 @@ std::string usage_of(Command const& command, CLI::App const& app) {
   return text + " [OPTIONS]";
 }
 
-/// The words of "{quick,standard}"; none where any is allowed.
 std::vector<std::string> choices_of(CLI::Option const& option) {
   auto const type = option.get_type_name();
-  auto const colon = type.find(":{");
-  std::vector<std::string> choices;
-  if (colon == std::string::npos || !type.ends_with("}"))
-    return choices;
-  std::string word;
-  for (char const c : type.substr(colon + 2)) {
-    if (c != ',' && c != '}') {
-      word += c;
-      continue;
-    }
-    choices.push_back(word);
-    word.clear();
-  }
-  return choices;
+  auto const colon = type.find(':');
+  return colon == std::string::npos ? std::vector<std::string>() : words_in(type.substr(colon + 1));
 }
 
 OptionPage option_page(CLI::Option const& option) {

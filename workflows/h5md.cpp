@@ -15,6 +15,13 @@ void append_instant(Store& store, std::string const& group, std::int64_t step, d
   store.append(group + "/time", std::span(&time, 1));
 }
 
+void require_finite(std::vector<double> const& values, std::string const& group, std::int64_t step) {
+  for (double const number : values)
+    if (!std::isfinite(number))
+      throw PhysicsError(
+          fmt::format("{} holds a {} at step {}: the frame is not written", group, number, step));
+}
+
 /// "T_K" as the format names it: T, in K. Names without a unit that is known here stay whole.
 std::pair<std::string, std::string> name_and_unit(std::string const& name) {
   constexpr std::pair<std::string_view, char const*> units[] = {
@@ -74,10 +81,7 @@ void H5mdWriter::append_vectors(std::string const& group, Frame const& frame, st
   flat.reserve(3 * values.size());
   for (auto const& v : values)
     flat.insert(flat.end(), {v.x * factor, v.y * factor, v.z * factor});
-  for (double const number : flat)
-    if (!std::isfinite(number))
-      throw PhysicsError(
-          fmt::format("{} holds a {} at step {}: the frame is not written", group, number, frame.step));
+  require_finite(flat, group, frame.step);
   bool const first = !store_.contains(group + "/value");
   store_.append(group + "/value", flat, {values.size(), 3});
   append_instant(store_, group, frame.step, frame.time * units_.time);
@@ -92,10 +96,7 @@ void H5mdWriter::append_scalar(Frame const& frame, std::string const& name,
   bool const first = !store_.contains(group + "/value");
   if (first && continued_)
     return; // a file of an earlier version, in which this would begin late
-  for (double const number : values)
-    if (!std::isfinite(number))
-      throw PhysicsError(
-          fmt::format("{} holds a {} at step {}: the frame is not written", group, number, frame.step));
+  require_finite(values, group, frame.step);
   store_.append(group + "/value", values, {values.size()});
   append_instant(store_, group, frame.step, frame.time * units_.time);
   if (!first)

@@ -1,5 +1,7 @@
 #include "workflows/nearest.hpp"
+#include "md/error.hpp"
 #include <algorithm>
+#include <fmt/ranges.h>
 #include <vector>
 
 namespace mesobridge::workflows {
@@ -43,6 +45,11 @@ std::string nearest(std::string_view word, std::span<std::string const> candidat
 std::string did_you_mean(std::string_view word, std::span<std::string const> candidates) {
   auto const found = nearest(word, candidates);
   return found.empty() ? "" : "; did you mean '" + found + "'?";
+}
+
+void refuse_unknown(std::string_view what, std::string_view word, std::span<std::string const> known) {
+  throw InputError(fmt::format("unknown {} '{}'{}; known: {}", what, word, did_you_mean(word, known),
+                               fmt::join(known, ", ")));
 }
 
 } // namespace mesobridge::workflows

@@ -12,4 +12,8 @@ std::string nearest(std::string_view word, std::span<std::string const> candidat
 /// "; did you mean 'x'?" or nothing.
 std::string did_you_mean(std::string_view word, std::span<std::string const> candidates);
 
+/// Throws InputError: "unknown shell 'fihs'; did you mean 'fish'?; known: bash, zsh, fish".
+[[noreturn]] void refuse_unknown(std::string_view what, std::string_view word,
+                                 std::span<std::string const> known);
+
 } // namespace mesobridge::workflows

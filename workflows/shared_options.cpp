@@ -1,10 +1,20 @@
 #include "workflows/shared_options.hpp"
 #include "md/molecule_forces.hpp"
+#include <algorithm>
+#include <cctype>
+#include <fmt/ranges.h>
 
 namespace mesobridge::workflows {
 
 CLI::Option* add_preset(CLI::App& app, std::string& preset, std::string const& text) {
   return app.add_option("--preset", preset, text)->check(CLI::IsMember({"quick", "standard", "paper"}));
+}
+
+void add_word(CLI::App& app, std::string const& name, std::string& word,
+              std::vector<std::string> const& known) {
+  auto type = name;
+  std::ranges::transform(type, type.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  app.add_option(name, word, fmt::format("One of {}", fmt::join(known, ", ")))->required()->type_name(type);
 }
 
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set) {

@@ -15,6 +15,10 @@ namespace mesobridge::workflows {
 /// --preset: quick, standard or paper.
 CLI::Option* add_preset(CLI::App& app, std::string& preset, std::string const& text);
 
+/// The command's one argument, one of some words, by its name ("shell"); whoever takes it refuses others.
+void add_word(CLI::App& app, std::string const& name, std::string& word,
+              std::vector<std::string> const& known);
+
 /// The scene's file, and --set for its keys.
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& set);
 

@@ -96,26 +96,28 @@ class Examination {
   }
 
   void look_for_pairs() {
-    auto const in_the_end = end_of(&InstantMoments::pairing);
-    if (is_surely_above(means_.pairing, in_the_end, conditions_.tolerable_pairing))
-      add("pairing", false,
-          fmt::format(
-              "{:.3g} % of the particles had a neighbour nearer than {} mean distances, {:.3g} % in the last "
-              "quarter of the run: the kernel lets particles pair, which carries pressure and density away; "
-              "take kernel = \"wendland-c4\" or fewer neighbours",
-              100 * means_.pairing.mean, pairing_distance, 100 * in_the_end.mean));
+    look_for_share("pairing", means_.pairing, &InstantMoments::pairing, conditions_.tolerable_pairing,
+                   fmt::format("had a neighbour nearer than {} mean distances", pairing_distance),
+                   "the kernel lets particles pair, which carries pressure and density away; take kernel = "
+                   "\"wendland-c4\" or fewer neighbours");
   }
 
   void look_for_crystal() {
-    auto const in_the_end = end_of(&InstantMoments::crystal);
-    if (is_surely_above(means_.crystal, in_the_end, conditions_.tolerable_crystal))
-      add("crystal", false,
-          fmt::format(
-              "{:.3g} % of the particles had neighbours in the order of a crystal, {:.3g} % in the last "
-              "quarter "
-              "of the run: the particles are not a fluid. They have kept the lattice of the start or have "
-              "frozen; take particles.start = \"melted\", smaller particles or another number of neighbours",
-              100 * means_.crystal.mean, 100 * in_the_end.mean));
+    look_for_share(
+        "crystal", means_.crystal, &InstantMoments::crystal, conditions_.tolerable_crystal,
+        "had neighbours in the order of a crystal",
+        "the particles are not a fluid. They have kept the lattice of the start or have frozen; take "
+        "particles.start = \"melted\", smaller particles or another number of neighbours");
+  }
+
+  /// Warns where more of the particles than may be do what fluids do not.
+  void look_for_share(std::string const& name, cg::Estimate const& mean, double InstantMoments::*share,
+                      double tolerable, std::string const& what, std::string const& advice) {
+    auto const in_the_end = end_of(share);
+    if (is_surely_above(mean, in_the_end, tolerable))
+      add(name, false,
+          fmt::format("{:.3g} % of the particles {}, {:.3g} % in the last quarter of the run: {}",
+                      100 * mean.mean, what, 100 * in_the_end.mean, advice));
   }
 
   /// The mean over the last quarter of the instants, which lie apart, so that their scatter is its error.

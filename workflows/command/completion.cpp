@@ -1,9 +1,8 @@
 #include "workflows/pages/completion.hpp"
 #include "workflows/command/list.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
-#include <fmt/ranges.h>
 
 namespace mesobridge::workflows {
 namespace {
@@ -18,9 +17,7 @@ Result complete(std::string const& shell, Context const& context) {
 }
 
 void declare_completion(CLI::App& app, std::string& shell) {
-  app.add_option("shell", shell, fmt::format("One of {}", fmt::join(known_shells(), ", ")))
-      ->required()
-      ->type_name("SHELL");
+  add_word(app, "shell", shell, known_shells());
 }
 
 } // namespace

@@ -3,9 +3,9 @@
 #include "workflows/command/options.hpp"
 #include "workflows/nearest.hpp"
 #include "workflows/scene/keys.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/terminal.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 #include <sstream>
 
 namespace mesobridge::workflows {
@@ -26,8 +26,7 @@ std::string text_of(std::string const& name) {
   for (auto const& scene : built_in_scenes())
     if (name_of(scene) == name)
       return std::string(scene.content);
-  throw InputError(fmt::format("unknown scene '{}'{}; known: {}", name, did_you_mean(name, names()),
-                               fmt::join(names(), ", ")));
+  refuse_unknown("scene", name, names());
 }
 
 std::string comment(std::string const& text) {
@@ -106,9 +105,7 @@ Result write_scene(std::string const& name, Context const& context) {
 }
 
 void declare(CLI::App& app, std::string& name) {
-  app.add_option("name", name, fmt::format("One of {}", fmt::join(names(), ", ")))
-      ->required()
-      ->type_name("NAME");
+  add_word(app, "name", name, names());
 }
 
 } // namespace

@@ -1,20 +1,20 @@
 #include "workflows/pages/schema.hpp"
-#include "md/error.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/nearest.hpp"
+#include "workflows/shared_options.hpp"
 #include "workflows/text_file.hpp"
-#include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {
 namespace {
+
+std::vector<std::string> const kinds_of_files{"scene", "model"};
 
 Json schema_named(std::string const& name) {
   if (name == "scene")
     return scene_schema();
   if (name == "model")
     return model_schema();
-  throw InputError(fmt::format("unknown kind of file '{}'{}; known: scene, model", name,
-                               did_you_mean(name, std::vector<std::string>{"scene", "model"})));
+  refuse_unknown("kind of file", name, kinds_of_files);
 }
 
 Result write_schema(std::string const& of, Context const& context) {
@@ -29,7 +29,7 @@ Result write_schema(std::string const& of, Context const& context) {
 }
 
 void declare_schema(CLI::App& app, std::string& of) {
-  app.add_option("of", of, "What it describes: scene or model")->required()->type_name("scene|model");
+  add_word(app, "kind", of, kinds_of_files);
 }
 
 } // namespace

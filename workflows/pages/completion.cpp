@@ -1,5 +1,4 @@
 #include "workflows/pages/completion.hpp"
-#include "md/error.hpp"
 #include "workflows/nearest.hpp"
 #include <algorithm>
 #include <fmt/ranges.h>
@@ -155,8 +154,7 @@ std::string completion_script(std::string const& shell, std::vector<CommandPage>
     return zsh_script(pages);
   if (shell == "fish")
     return fish_script(pages);
-  throw InputError(fmt::format("unknown shell '{}'{}; known: {}", shell, did_you_mean(shell, known_shells()),
-                               fmt::join(known_shells(), ", ")));
+  refuse_unknown("shell", shell, known_shells());
 }
 
 } // namespace mesobridge::workflows

@@ -13,10 +13,7 @@ Json closed_table(Json properties, Json required) {
 
 Json number_schema(NumberRange const& range, std::string const& text) {
   Json schema{{"type", "number"}, {"description", text}};
-  if (std::isfinite(range.min))
-    schema[range.open ? "exclusiveMinimum" : "minimum"] = range.min;
-  if (std::isfinite(range.max))
-    schema["maximum"] = range.max;
+  put_bounds(schema, range);
   return schema;
 }
 

@@ -9,14 +9,6 @@ Json type_of(bool quantity, Json plain) {
   return quantity ? Json::array({"string", plain}) : plain;
 }
 
-/// Bounds of a number; a text with a unit passes them.
-void put_bounds(Json& schema, NumberRange const& range) {
-  if (std::isfinite(range.min))
-    schema[range.open ? "exclusiveMinimum" : "minimum"] = range.min;
-  if (std::isfinite(range.max))
-    schema["maximum"] = range.max;
-}
-
 /// One number or text, or what a list holds.
 Json element(SceneKey const& key, Json type) {
   Json schema{{"type", std::move(type)}};

@@ -22,7 +22,7 @@ struct RunOptions {
   /// left in the directory is replaced.
   std::optional<PastRun> past = {};
   bool told_again = false; ///< of a finished run, whose log and summary stay as they are
-  std::string command;                               ///< the command line, for the files' provenance
+  std::string command;     ///< the command line, for the files' provenance
   std::function<void(std::string const&)> tell = {}; ///< gets the log's lines of thermodynamics, if given
   /// Told the steps done, now and then; false stops the run (a checkpoint is written, Interrupted is thrown).
   std::function<bool(std::uint64_t)> keep_going = [](std::uint64_t) { return true; };
