@@ -68,10 +68,11 @@ std::vector<double> MpiWorld::root_gives(std::span<double const> numbers) const 
       send(rank, broadcast_tag, numbers);
     return {numbers.begin(), numbers.end()};
   }
-  for (;;) {
+  constexpr std::chrono::microseconds soon(20), later(5000);
+  for (auto wait = soon;; wait = std::min(2 * wait, later)) {
     if (auto message = receive(broadcast_tag))
       return std::move(message->content);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5)); // MPI would wait at full load
+    std::this_thread::sleep_for(wait); // MPI would wait at full load
   }
 }
 

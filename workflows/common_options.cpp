@@ -18,7 +18,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       ->check(CLI::NonNegativeNumber.description(""));
   add("--threads", options.threads, "INT", "Threads (default: all cores)")
       ->check(CLI::Range(1, 4096).description(""));
-  add("--ranks", options.ranks, "INT", "MPI ranks for molecular dynamics (default: all cores)")
+  add("--ranks", options.ranks, "INT", "MPI ranks for LAMMPS (default: all cores)")
       ->check(CLI::Range(1, 65536).description(""));
   add_flag("--quiet", options.quiet, "No progress and no messages but warnings");
 }

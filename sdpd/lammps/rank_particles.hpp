@@ -105,7 +105,7 @@ void for_each_eight(std::span<SixteenPairs const> pairs, F const& f) {
       f(EightPairs(group, from));
 }
 
-/// Adds strength * r_ij to the first particle of each pair and takes it from the second.
+/// Adds (x, y, z) to the first particle of each pair and takes it from the second.
 [[gnu::always_inline]] inline void add_opposite(double* rows, EightPairs const& at, Lanes const& x,
                                                 Lanes const& y, Lanes const& z) {
   for (std::size_t l = 0; l < at.count; ++l) {

@@ -18,8 +18,8 @@ class LammpsStyles {
   /// Puts those of the particles that lie in this rank's part of the box there; all ranks are given all.
   void create(Particles const& particles);
 
-  /// Adds what this rank knows to `rows`, rows of numbers_per_particle for each of its own: id (from 0),
-  /// position, momentum, internal energy, temperature.
+  /// What this rank knows, a row of numbers_per_particle for each of its own: id (from 0), position,
+  /// momentum, internal energy, temperature.
   std::vector<double> own_rows() const;
   static constexpr std::size_t numbers_per_particle = 9;
 

@@ -136,8 +136,10 @@ void check(SimulationSettings const& s) {
   require(s.threads >= 1, "threads", s.threads, "must be >= 1");
   require(s.disorders.contains(s.disorder), "disorder", s.disorder,
           s.disorders.demand() + " lattice spacings");
-  require(!s.melted || (s.features().densities && !s.layout), "start", "\"melted\"",
-          "must be \"lattice\" but for sdpd without regions, whose lattices make their densities");
+  bool const fills_box = open_axes(s.faces) == std::array<bool, 3>{}; // else it would melt into the vacuum
+  require(
+      !s.melted || (s.features().densities && !s.layout && fills_box), "start", "\"melted\"",
+      "must be \"lattice\" but for sdpd without open faces and regions, whose lattices make their densities");
   check_lattice(s);
   check(s.faces);
   check_baths(s);

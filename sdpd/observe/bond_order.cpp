@@ -129,7 +129,8 @@ Measurement bond_order() {
             auto const order = bond_order(system);
             return {order.local, order.global, order.crystal};
           },
-          .pair_passes = 1};
+          .pair_passes = 1,
+          .fills_box = true};
 }
 
 } // namespace mesobridge::sdpd

@@ -23,9 +23,4 @@ BondOrder bond_order(System const& system);
 /// product P6(cos of their angle).
 std::array<double, 13> sixth_harmonics(Vec3 const& e);
 
-/// The largest crystalline order, of bonds or of the start's lattice (lattice_order()), that says nothing
-/// against a fluid. SDPD of argon with 65 neighbours has less than 0.03 of either where no lattice is left,
-/// and 0.4 ... 0.6 where one is (K = 10^4, after 2500 steps).
-inline constexpr double tolerable_crystal = 0.2;
-
 } // namespace mesobridge::sdpd

@@ -58,6 +58,8 @@ struct Measurement {
   bool (*exists)(Features const&) = in_every_method;
   std::variant<FromSums, FromSystem> values; ///< one for each component, reduced
   int pair_passes = 0;                       ///< how often it looks at all pairs
+  bool by_name_only = false;                 ///< its cost grows faster than the fluid: not among "all"
+  bool fills_box = false;                    ///< takes the mean distance from the box: not with open faces
   bool logged = false;                       ///< has a column in log.txt
   /// What equilibrium makes of each component, reduced; nothing where theory does not say.
   std::vector<std::optional<double>> (*expected)(SetState const&) = nullptr;

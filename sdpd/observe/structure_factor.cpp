@@ -115,14 +115,17 @@ double lattice_order(std::span<Vec3 const> q, Box const& box) {
 Measurement structure_factor() {
   static constexpr std::array<std::string_view, 2> components{"_peak", "_largest"};
   return {.name = "structure_factor",
-          .meaning = "its first peak: the largest mean of a shell, and of one wave vector (N in a crystal)",
+          .meaning =
+              "its first peak: the largest mean of a shell, and of one wave vector (N in a crystal); costs "
+              "the square of N",
           .components = components,
           .exists = without_walls,
           .values = [](System const& system) -> std::vector<double> {
             auto const peak = structure_peak(system.particles.q, system.box);
             return {peak.shell, peak.largest};
           },
-          .pair_passes = 20};
+          .by_name_only = true,
+          .fills_box = true};
 }
 
 } // namespace mesobridge::sdpd

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/measured_series.hpp"
 #include "md/error.hpp"
+#include "workflows/scene/driven.hpp"
 #include "workflows/scene/quantities.hpp"
 #include "workflows/sdpd/last_step.hpp"
 #include "workflows/sdpd/short_series.hpp"
@@ -32,10 +33,21 @@ void check(sdpd::Measurement const& measured, std::vector<double> const& values,
 
 std::vector<sdpd::Measurement> measured_in_series(Scene const& scene) {
   std::vector<sdpd::Measurement> measured;
-  if (scene.series.every > 0)
-    for (auto const& name : chosen(scene.series.quantities, series_quantities(), scene.features()))
-      measured.push_back(*std::ranges::find(sdpd::measurements(), name, &sdpd::Measurement::name));
+  if (scene.series.every == 0)
+    return measured;
+  for (auto const& name : chosen(scene.series.quantities, series_quantities(), scene.features())) {
+    auto const& found = *std::ranges::find(sdpd::measurements(), name, &sdpd::Measurement::name);
+    bool const left_out = found.by_name_only || (found.fills_box && has_open_faces(scene));
+    if (!scene.series.quantities.empty() || !left_out)
+      measured.push_back(found);
+  }
   return measured;
+}
+
+void check_series(Scene const& scene) {
+  for (auto const& measured : measured_in_series(scene))
+    require(!measured.fills_box || !has_open_faces(scene), "series.quantities", measured.name,
+            "is of a fluid that fills its box: not with open faces");
 }
 
 MeasuredSeries::MeasuredSeries(Store& store, Scene const& scene, OutputUnits const& units)

@@ -30,6 +30,9 @@ class MeasuredSeries {
 /// The measurements that a scene asks for.
 std::vector<sdpd::Measurement> measured_in_series(Scene const& scene);
 
+/// Throws InputError for one that the scene's box does not allow.
+void check_series(Scene const& scene);
+
 /// One component of a measurement: its row for every time, in the scene's units.
 struct MeasuredComponent {
   sdpd::Measurement of;

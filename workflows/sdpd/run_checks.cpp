@@ -117,6 +117,7 @@ sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads) {
 
 void check_run(Scene const& scene, int threads) {
   check_steps(scene.run);
+  check_series(scene);
   check_state(scene);
   check_parts_of_reaction(scene);
   if (scene.box == Scene::Box{} && scene.regions.empty()) // of others the engine says what they lack

@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "sdpd/observe/runaway.hpp"
 #include "sdpd/setup/equilibration.hpp"
+#include "workflows/json_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
@@ -59,9 +60,10 @@ class Run {
         ask();
     }
     std::chrono::duration<double, std::micro> const spent = std::chrono::steady_clock::now() - begin;
+    made_steps_ = done_ > first;
     double const work =
         static_cast<double>(scene_.run.steps - first) * static_cast<double>(simulation_.size());
-    if (done_ > first)
+    if (made_steps_)
       checkpoint(); // a finished run may be extended
     return finish(work > 0 ? spent.count() / work : 0);
   }
@@ -178,18 +180,26 @@ class Run {
   }
 
   void advance(std::int64_t steps) {
-    auto const slice = std::max<std::int64_t>(1, particle_steps_between_questions /
-                                                     static_cast<std::int64_t>(simulation_.size()));
     for (auto const end = done_ + steps; done_ < end;) {
-      auto const now = std::min(slice, end - done_);
+      auto const now = std::min(slice_, end - done_);
       if (options_.engine)
-        options_.engine->advance(simulation_, static_cast<std::uint64_t>(now));
+        advance_elsewhere(now);
       else
         simulation_.advance(static_cast<std::uint64_t>(now));
       done_ += now;
       if (done_ < end)
         ask();
     }
+  }
+
+  /// Another engine brings all particles here after each slice, which therefore grow to what takes half a
+  /// second: results do not depend on them.
+  void advance_elsewhere(std::int64_t steps) {
+    constexpr std::chrono::milliseconds long_enough(500);
+    auto const begin = std::chrono::steady_clock::now();
+    options_.engine->advance(simulation_, static_cast<std::uint64_t>(steps));
+    if (steps == slice_ && std::chrono::steady_clock::now() - begin < long_enough)
+      slice_ *= 2;
   }
 
   /// What is due at this step: all outputs, then the checkpoint.
@@ -255,12 +265,23 @@ class Run {
                      .summary = {}};
     result.findings = findings_of(sampler, result, simulation_);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
-    if (options_.engine)
-      result.summary["engine"] = options_.engine->name, result.summary["ranks"] = options_.engine->ranks;
+    tell_engine(result.summary);
     if (!options_.told_again)
       write_summary(folder_.summary(), result.summary);
     outputs_->close();
     return result;
+  }
+
+  /// Of the steps that were made last, in this call or an earlier one.
+  void tell_engine(Json& summary) const {
+    if (made_steps_ && options_.engine)
+      summary["engine"] = options_.engine->name, summary["ranks"] = options_.engine->ranks;
+    if (made_steps_ || !std::filesystem::exists(folder_.summary()))
+      return;
+    auto const before = read_json(folder_.summary());
+    for (char const* key : {"engine", "ranks"})
+      if (before.contains(key))
+        summary[key] = before[key];
   }
 
   RunOptions const& options_;
@@ -273,6 +294,10 @@ class Run {
   Provenance provenance_;
   std::optional<RunOutputs> outputs_;
   std::optional<RunLog> log_;
+  /// Steps between two questions whether to go on.
+  std::int64_t slice_ = std::max<std::int64_t>(1, particle_steps_between_questions /
+                                                      static_cast<std::int64_t>(simulation_.size()));
+  bool made_steps_ = false;                        ///< in this call
   std::int64_t done_ = 0;                          ///< of the sampled steps
   sdpd::EquilibrationProgress equilibration_ = {}; ///< while it is under way
   std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();

@@ -62,12 +62,13 @@ TEST(LammpsRun, AgreesOverRanksAndWithTheBuiltInEngine) {
 
 TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
   ScratchDirectory const scratch;
-  auto const whole = tests::program(words("lammps", 2, scratch / "whole"));
+  std::vector<std::string> const longer{"--set", "run.steps=128"};
+  auto const whole = tests::program(words("lammps", 2, scratch / "whole", longer));
   ASSERT_EQ(whole.status, 0) << whole.errors;
-  auto const first =
-      tests::program(words("lammps", 2, scratch / "parts", {"--set", "run.steps=64", "--max-hours", "1e-5"}));
-  ASSERT_TRUE(first.status == 130 || first.status == 0) << first.errors;
-  auto const rest = tests::program(words("lammps", 1, scratch / "parts", {"--resume"}));
+  auto const first = tests::program(words("lammps", 2, scratch / "parts"));
+  ASSERT_EQ(first.status, 0) << first.errors;
+  auto const rest =
+      tests::program(words("lammps", 1, scratch / "parts", {"--set", "run.steps=128", "--resume"}));
   ASSERT_EQ(rest.status, 0) << rest.errors;
   EXPECT_LT(apart(scratch / "whole", scratch / "parts", "thermodynamics"), 1e-10);
 }

@@ -27,9 +27,12 @@ std::string series_text() {
     if (measured.pair_passes > 0)
       parts.push_back(measured.pair_passes == 1 ? "costs a pass over all pairs"
                                                 : fmt::format("costs {} passes", measured.pair_passes));
+    if (measured.by_name_only)
+      parts.emplace_back("to be named");
     texts.push_back(fmt::format("{} ({})", measured.name, fmt::join(parts, "; ")));
   }
-  return fmt::format("of the whole fluid, beside what every sample holds: {}. []: all that the method has",
+  return fmt::format("of the whole fluid, beside what every sample holds: {}. []: all that the method has "
+                     "but those to be named",
                      fmt::join(texts, ", "));
 }
 
