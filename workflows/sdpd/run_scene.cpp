@@ -1,7 +1,6 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "sdpd/observe/runaway.hpp"
 #include "sdpd/setup/equilibration.hpp"
-#include "workflows/json_file.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
@@ -181,25 +180,10 @@ class Run {
 
   void advance(std::int64_t steps) {
     for (auto const end = done_ + steps; done_ < end;) {
-      auto const now = std::min(slice_, end - done_);
-      if (options_.engine)
-        advance_elsewhere(now);
-      else
-        simulation_.advance(static_cast<std::uint64_t>(now));
-      done_ += now;
+      done_ += slices_.advance(simulation_, end - done_);
       if (done_ < end)
         ask();
     }
-  }
-
-  /// Another engine brings all particles here after each slice, which therefore grow to what takes half a
-  /// second: results do not depend on them.
-  void advance_elsewhere(std::int64_t steps) {
-    constexpr std::chrono::milliseconds long_enough(500);
-    auto const begin = std::chrono::steady_clock::now();
-    options_.engine->advance(simulation_, static_cast<std::uint64_t>(steps));
-    if (steps == slice_ && std::chrono::steady_clock::now() - begin < long_enough)
-      slice_ *= 2;
   }
 
   /// What is due at this step: all outputs, then the checkpoint.
@@ -265,23 +249,11 @@ class Run {
                      .summary = {}};
     result.findings = findings_of(sampler, result, simulation_);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
-    tell_engine(result.summary);
+    tell_engine(result.summary, options_.engine, made_steps_, folder_.summary());
     if (!options_.told_again)
       write_summary(folder_.summary(), result.summary);
     outputs_->close();
     return result;
-  }
-
-  /// Of the steps that were made last, in this call or an earlier one.
-  void tell_engine(Json& summary) const {
-    if (made_steps_ && options_.engine)
-      summary["engine"] = options_.engine->name, summary["ranks"] = options_.engine->ranks;
-    if (made_steps_ || !std::filesystem::exists(folder_.summary()))
-      return;
-    auto const before = read_json(folder_.summary());
-    for (char const* key : {"engine", "ranks"})
-      if (before.contains(key))
-        summary[key] = before[key];
   }
 
   RunOptions const& options_;
@@ -294,9 +266,9 @@ class Run {
   Provenance provenance_;
   std::optional<RunOutputs> outputs_;
   std::optional<RunLog> log_;
-  /// Steps between two questions whether to go on.
-  std::int64_t slice_ = std::max<std::int64_t>(1, particle_steps_between_questions /
-                                                      static_cast<std::int64_t>(simulation_.size()));
+  Slices slices_{std::max<std::int64_t>(1, particle_steps_between_questions /
+                                               static_cast<std::int64_t>(simulation_.size())),
+                 options_.engine};
   bool made_steps_ = false;                        ///< in this call
   std::int64_t done_ = 0;                          ///< of the sampled steps
   sdpd::EquilibrationProgress equilibration_ = {}; ///< while it is under way

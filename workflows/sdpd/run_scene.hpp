@@ -1,19 +1,12 @@
 #pragma once
 #include "sdpd/method/settings.hpp"
 #include "sdpd/observe/health.hpp"
-#include "sdpd/simulation.hpp"
 #include "workflows/command.hpp"
+#include "workflows/sdpd/other_engine.hpp"
 #include "workflows/sdpd/resumption.hpp"
 #include "workflows/sdpd/settings.hpp"
 
 namespace mesobridge::workflows {
-
-/// Another engine than the built-in one, which advances the simulation in its place.
-struct OtherEngine {
-  std::string name;
-  int ranks = 1;
-  std::function<void(sdpd::Simulation&, std::uint64_t steps)> advance;
-};
 
 struct RunOptions {
   std::filesystem::path directory; ///< exists

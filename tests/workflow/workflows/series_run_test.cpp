@@ -9,7 +9,7 @@
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 // What is asked of every measurement that a scene may name, whoever adds one, from the scene to the report.
@@ -43,6 +43,14 @@ std::vector<sdpd::Measurement> asked_of(Method const& method) {
     if (!measured.in_every_run() && measured.exists(method.features))
       asked.push_back(measured);
   return asked;
+}
+
+/// All of them by their names, for some are measured only then.
+std::string all_of(Method const& method) {
+  std::vector<std::string> names;
+  for (auto const& measured : asked_of(method))
+    names.push_back(fmt::format("\"{}\"", measured.name));
+  return fmt::format("series.quantities=[{}]", fmt::join(names, ", "));
 }
 
 /// mesobridge VERB on a method's scene with settings.
@@ -88,7 +96,7 @@ TEST(SeriesOfARun, ReachFileSummaryAndReport) {
   ScratchDirectory const scratch;
   int components = 0;
   for (auto const& method : methods) {
-    auto const folder = ran(scratch.path(), method.name, method, {"series.every=20"});
+    auto const folder = ran(scratch.path(), method.name, method, {"series.every=20", all_of(method)});
     Store const store(folder / "run.h5", Store::Mode::read);
     auto const summary = Json::parse(read_text_file(folder / "summary.json"));
     auto const report = read_text_file(folder / "report.html");
@@ -144,7 +152,7 @@ TEST(SeriesOfARun, HaveTheSameBitsWhenResumed) {
   ScratchDirectory const scratch;
   int compared = 0;
   for (auto const& method : methods) {
-    std::vector<std::string> const asked{"series.every=20"};
+    std::vector<std::string> const asked{"series.every=20", all_of(method)};
     auto const whole = ran(scratch.path(), method.name, method, asked, {"--no-report"});
     auto first = asked;
     first.emplace_back("run.steps=332"); // an end between two rows
