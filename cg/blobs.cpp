@@ -68,10 +68,8 @@ double BlobMaker::energy_inside() const {
   for (auto const& [a, b] : model_.excluded)
     energy -= model_.law(model_.types[std::size_t(a)], model_.types[std::size_t(b)])
                   .energy(squared(std::size_t(a), std::size_t(b)));
-  for (auto const& bond : model_.bonds) {
-    double const stretch = std::sqrt(squared(std::size_t(bond.a), std::size_t(bond.b))) - bond.l;
-    energy += bond.k / 2 * stretch * stretch;
-  }
+  for (auto const& bond : model_.bonds)
+    energy += bond.law.energy(std::sqrt(squared(std::size_t(bond.a), std::size_t(bond.b))));
   return energy;
 }
 

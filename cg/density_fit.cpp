@@ -88,7 +88,7 @@ std::vector<double> DensityFit::solve(Sums const& sums, std::vector<double> cons
     double beta = 0;
     for (double b : betas)
       beta += b / double(betas.size());
-    start[0] = beta * basis_.U_ref * basis_.width;
+    start[0] = beta * (basis_.U_ref - basis_.U_0) * basis_.width;
   }
   auto theta = std::move(start);
   auto slope = likelihood(sums, betas, theta);

@@ -4,6 +4,7 @@
 #include "md/error.hpp"
 #include <algorithm>
 #include <cmath>
+#include <gsl/gsl_statistics_double.h>
 
 namespace mesobridge::cg {
 namespace {
@@ -15,8 +16,26 @@ std::vector<double> all_energies(std::span<EnergySamples const> samples) {
       all.insert(all.end(), block.begin(), block.end());
   std::sort(all.begin(), all.end());
   require(all.size() >= 100, "samples of the energy of a molecule", all.size(), "at least 100 are needed");
-  require(all.front() > 0, "intrinsic energy", all.front(), "must be > 0: the curve is one in ln U");
   return all;
+}
+
+/// About the least energy of the molecule, if it lies far from 0: a molecule of constant heat capacity has
+/// the mean energy U_0 + C T, whose variance is C T^2 (cg/README.md, Eq. (C57)). Energies that are counted
+/// from near there already stay as they are. `sorted` are all energies.
+double energy_zero(std::span<EnergySamples const> samples, std::vector<double> const& sorted) {
+  double zero = 0, mean = 0, count = 0;
+  for (auto const& set : samples) {
+    std::vector<double> U;
+    for (auto const& block : set.U)
+      U.insert(U.end(), block.begin(), block.end());
+    double const n = double(U.size()), of_set = gsl_stats_mean(U.data(), 1, U.size());
+    zero += n * (of_set - set.beta * gsl_stats_variance(U.data(), 1, U.size()));
+    mean += n * of_set, count += n;
+  }
+  zero /= count, mean /= count;
+  double const lowest = sorted.front(), middle = sorted[sorted.size() / 2];
+  bool const counted_from_zero = lowest > 0 && zero < mean / 2;
+  return counted_from_zero ? 0 : std::min(zero, lowest - (middle - lowest) / 5);
 }
 
 std::size_t common_blocks(std::span<EnergySamples const> samples) {
@@ -61,9 +80,12 @@ EntropyFit fit_entropy(std::span<EnergySamples const> samples, EntropyRoute rout
           "must be in [0, 0.25)");
   auto const all = all_energies(samples);
   auto const quantile = [&](double part) { return all[std::size_t(part * double(all.size() - 1))]; };
-  EntropyCurve::Basis const basis{.U_ref = quantile(0.5),
-                                  .width = std::max(1e-9, std::log(quantile(0.84) / quantile(0.16)) / 2),
-                                  .order = settings.order};
+  double const zero = energy_zero(samples, all);
+  EntropyCurve::Basis const basis{
+      .U_ref = quantile(0.5),
+      .width = std::max(1e-9, std::log((quantile(0.84) - zero) / (quantile(0.16) - zero)) / 2),
+      .order = settings.order,
+      .U_0 = zero};
   double const low = quantile(settings.tail), high = quantile(1 - settings.tail);
   std::vector<Sums> sums;
   std::function<std::vector<double>(std::size_t, Sums const&, std::vector<double> const&)> solve;

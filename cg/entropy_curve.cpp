@@ -4,7 +4,7 @@
 namespace mesobridge::cg {
 
 double EntropyCurve::Basis::y(double U) const {
-  return std::log(U / U_ref) / width;
+  return std::log((U - U_0) / (U_ref - U_0)) / width;
 }
 
 std::vector<double> EntropyCurve::Basis::functions(double U) const {
@@ -18,7 +18,7 @@ std::vector<double> EntropyCurve::Basis::functions(double U) const {
 
 std::vector<double> EntropyCurve::Basis::slopes(double U) const {
   std::vector<double> result(order);
-  double const at = y(U), y_slope = 1 / (U * width);
+  double const at = y(U), y_slope = 1 / ((U - U_0) * width);
   double power = 1;
   for (std::size_t j = 0; j < order; ++j, power *= at)
     result[j] = double(j + 1) * power * y_slope;
@@ -42,12 +42,12 @@ double EntropyCurve::inside(double U, int derivative) const {
     S_y += order * term;
     S_yy += y != 0 ? order * (order - 1) * term / y : (j == 2 ? 2 * theta_[1] : 0);
   }
-  double const y_U = 1 / (U * basis_.width);
+  double const above = U - basis_.U_0, y_U = 1 / (above * basis_.width);
   if (derivative == 0)
     return S;
   if (derivative == 1)
     return S_y * y_U;
-  return y_U * (S_yy * y_U - S_y / U);
+  return y_U * (S_yy * y_U - S_y / above);
 }
 
 EntropyCurve::Border EntropyCurve::border(double U) const {

@@ -4,16 +4,18 @@
 namespace mesobridge::cg {
 
 /// The entropy of a molecule as a function of its intrinsic energy, S/k_B = sum_j theta_j y^j with
-/// y = ln(U/U_ref)/width, j = 1 ... m. One term alone is a harmonic molecule, S = (C) ln U. Between U_low and
-/// U_high it was sampled; beyond, the heat capacity is the border's. k_B = 1. (cg/README.md, Eq. (C15))
+/// y = ln((U - U_0)/(U_ref - U_0))/width, j = 1 ... m, where U_0 is about the least energy of the molecule.
+/// One term alone is a harmonic molecule, S = (C) ln(U - U_0). Between U_low and U_high it was sampled;
+/// beyond, the heat capacity is the border's. k_B = 1. (cg/README.md, Eq. (C15))
 class EntropyCurve {
  public:
   struct Basis {
     double U_ref = 1, width = 1;
     std::size_t order = 3;
+    double U_0 = 0; ///< below every energy
 
     double y(double U) const;
-    /// y, y^2 ... y^m at U > 0.
+    /// y, y^2 ... y^m at U > U_0.
     std::vector<double> functions(double U) const;
     /// Their derivatives to U.
     std::vector<double> slopes(double U) const;

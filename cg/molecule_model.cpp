@@ -12,11 +12,14 @@ double MoleculeModel::mass() const {
 MoleculeModel model_of(md::StarPolymer const& star) {
   auto const n = std::size_t(star.atoms());
   PairLaw const repulsion(1, 1, star.repulsion ? md::wca_cutoff() : 0, true);
+  std::vector<Bond> bonds;
+  for (auto const& bond : star.bonds())
+    bonds.push_back({bond.a, bond.b, BondLaw::harmonic(bond.k, bond.l)});
   return {.masses = std::vector<double>(n, 1.0),
           .types = std::vector<int>(n, 0),
           .pairs = {repulsion},
           .type_count = 1,
-          .bonds = star.bonds(),
+          .bonds = std::move(bonds),
           .excluded = {}};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "cg/bond_law.hpp"
 #include "md/box.hpp"
 #include "md/equal_molecules.hpp"
 #include "md/star_polymer.hpp"
@@ -42,7 +43,7 @@ struct MoleculeModel {
   std::vector<int> types;     ///< of its atoms, from 0
   std::vector<PairLaw> pairs; ///< types x types
   int type_count = 1;
-  std::vector<md::HarmonicBond> bonds;
+  std::vector<Bond> bonds;
   /// Pairs of atoms that do not interact by the pair law (bonded ones in many force fields), a < b.
   std::vector<std::pair<int, int>> excluded;
 

@@ -82,10 +82,19 @@ void refuse_unknown_words(CLI::App const& app, std::string const& command) {
   }
 }
 
+/// Who reads has enough, as `head` does: ends as other programs then do, quietly.
+void end_by_closed_pipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+}
+
 void print_text(std::string const& text) {
   std::cout << text << (text.empty() || text.ends_with('\n') ? "" : "\n");
-  if (!std::cout.flush())
-    throw EnvironmentError("cannot write to the standard output (is the disk full?)");
+  if (std::cout.flush())
+    return;
+  if (errno == EPIPE)
+    end_by_closed_pipe();
+  throw EnvironmentError("cannot write to the standard output (is the disk full?)");
 }
 
 /// Parses the words after the command's name; returns false when the user asked for help, which was printed.

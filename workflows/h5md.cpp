@@ -8,7 +8,7 @@ namespace mesobridge::workflows {
 
 namespace {
 
-constexpr char const* particles = "particles/all";
+constexpr char const* particles = "particles/trajectory"; // where MDAnalysis looks for their number
 
 void append_instant(Store& store, std::string const& group, std::int64_t step, double time) {
   store.append(group + "/step", std::span(&step, 1));
@@ -60,6 +60,11 @@ H5mdWriter H5mdWriter::continue_file(std::filesystem::path const& file, Units un
   Store store(file, Store::Mode::append, Store::Safety::marked);
   if (!store.has_attribute("h5md", "version"))
     throw InputError(fmt::format("'{}' is no H5MD file", file.string()));
+  if (!store.is_group(particles))
+    throw InputError(
+        fmt::format("cannot go on with '{}': it has no group '{}'; an earlier version of mesobridge "
+                    "wrote it, begin anew",
+                    file.string(), particles));
   return H5mdWriter(std::move(store), units);
 }
 

@@ -262,7 +262,7 @@ void declare(CLI::App& app, CgBlobsOptions& options) {
       ->type_name("FILE");
   app.add_option("--mapping", options.mapping,
                  "Units, atoms, bonds and pair potential of a molecule; a bond's energy is "
-                 "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K")
+                 "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K (`cg mapping` writes one; FENE bonds too)")
       ->required()
       ->type_name("FILE.toml");
   app.add_option("--dt", options.time_step,

@@ -48,9 +48,8 @@ FilmSeries::FilmSeries(Store& store, Scene const& scene, sdpd::SimulationSetting
     : store_(store), view_(film_view(scene, settings)), quantity_(*scene.film.quantity), units_(units),
       last_step_(workflows::last_step(store, film_group + "/step")) {}
 
-void FilmSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double time) {
-  auto const this_step = static_cast<std::int64_t>(step);
-  if (this_step <= last_step_)
+void FilmSeries::append(sdpd::Snapshot const& now, std::int64_t step, double time) {
+  if (step <= last_step_)
     return;
   auto const [name, unit] = film_column(quantity_, units_);
   auto const all = values_of(now, quantity_);
@@ -78,8 +77,8 @@ void FilmSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double ti
   std::int64_t const end = before + static_cast<std::int64_t>(right.size());
   store_.append(film_group + "/end", std::span(&end, 1));
   store_.append(film_group + "/time" + units_.time_key, std::span(&time, 1));
-  store_.append(film_group + "/step", std::span(&this_step, 1));
-  last_step_ = this_step;
+  store_.append(film_group + "/step", std::span(&step, 1));
+  last_step_ = step;
   store_.flush();
 }
 

@@ -24,7 +24,7 @@ class FilmSeries {
              OutputUnits const& units);
 
   /// `time` is in the scene's units. The frame is flushed.
-  void append(sdpd::Snapshot const& now, std::uint64_t step, double time);
+  void append(sdpd::Snapshot const& now, std::int64_t step, double time);
 
  private:
   Store& store_;

@@ -56,9 +56,8 @@ HistogramSeries::Bins HistogramSeries::bins_of(Quantity const& of) {
   return bins;
 }
 
-void HistogramSeries::append(sdpd::Snapshot const& now, std::uint64_t step, double time) {
-  auto const this_step = static_cast<std::int64_t>(step);
-  if (this_step <= last_step_)
+void HistogramSeries::append(sdpd::Snapshot const& now, std::int64_t step, double time) {
+  if (step <= last_step_)
     return;
   for (auto const& name : quantities_) {
     auto const quantity = find(name, now);
@@ -70,8 +69,8 @@ void HistogramSeries::append(sdpd::Snapshot const& now, std::uint64_t step, doub
     append_one(store_, quantity.group + "/above", static_cast<std::int64_t>(histogram.above));
   }
   store_.append(root + "/time" + units_.time_key, std::span(&time, 1));
-  append_one(store_, root + "/step", this_step);
-  last_step_ = this_step;
+  append_one(store_, root + "/step", step);
+  last_step_ = step;
   store_.flush();
 }
 

@@ -18,7 +18,7 @@ class HistogramSeries {
 
   /// `time` is in the scene's units. The rows are flushed. Throws PhysicsError when all particles are alike
   /// at the first histogram: bins would have no width.
-  void append(sdpd::Snapshot const& now, std::uint64_t step, double time);
+  void append(sdpd::Snapshot const& now, std::int64_t step, double time);
 
  private:
   struct Bins {

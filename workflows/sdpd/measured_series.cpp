@@ -22,7 +22,7 @@ Store::Shape row_shape(sdpd::Measurement const& measured) {
   return count == 1 ? Store::Shape{} : Store::Shape{count};
 }
 
-void check(sdpd::Measurement const& measured, std::vector<double> const& values, std::uint64_t step) {
+void check(sdpd::Measurement const& measured, std::vector<double> const& values, std::int64_t step) {
   for (std::size_t c = 0; c < values.size(); ++c)
     if (!std::isfinite(values[c]))
       throw PhysicsError(fmt::format("step {}: the measured {}{} is {}", step, measured.name,
@@ -62,13 +62,12 @@ MeasuredSeries::MeasuredSeries(Store& store, Scene const& scene, OutputUnits con
                                    store_.file().string(), dataset, rows, series_group));
 }
 
-void MeasuredSeries::append(sdpd::Simulation const& simulation, double time) {
-  auto const step = static_cast<std::int64_t>(simulation.step());
+void MeasuredSeries::append(sdpd::Simulation const& simulation, std::int64_t step, double time) {
   if (step <= last_step_)
     return;
   for (auto const& measured : measured_) {
     auto values = simulation.measure(measured);
-    check(measured, values, simulation.step());
+    check(measured, values, step);
     for (double& value : values)
       value *= units_.of(measured.dimension).first;
     auto const dataset = dataset_of(measured, units_);

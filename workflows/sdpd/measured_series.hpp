@@ -18,7 +18,7 @@ class MeasuredSeries {
 
   /// Measures; `time` is in the scene's units. The rows are flushed. Throws PhysicsError for what is no
   /// number.
-  void append(sdpd::Simulation const& simulation, double time);
+  void append(sdpd::Simulation const& simulation, std::int64_t step, double time);
 
  private:
   Store& store_;

@@ -68,9 +68,8 @@ void ProfileSeries::append(std::string const& quantity, sdpd::Profile const& pro
       put(means, units_.of(field->dimension).first, units_.of(field->dimension).second);
 }
 
-void ProfileSeries::append(sdpd::Snapshot const& now, Box const& box, std::uint64_t step, double time) {
-  auto const this_step = static_cast<std::int64_t>(step);
-  if (this_step <= last_step_)
+void ProfileSeries::append(sdpd::Snapshot const& now, Box const& box, std::int64_t step, double time) {
+  if (step <= last_step_)
     return;
   auto const profile = sdpd::profile(now, box, slices_, boltzmann_);
   if (last_step_ < 0)
@@ -79,8 +78,8 @@ void ProfileSeries::append(sdpd::Snapshot const& now, Box const& box, std::uint6
   for (auto const& quantity : quantities_)
     append(quantity, profile);
   store_.append(profile_group + "/time" + units_.time_key, std::span(&time, 1));
-  store_.append(profile_group + "/step", std::span(&this_step, 1));
-  last_step_ = this_step;
+  store_.append(profile_group + "/step", std::span(&step, 1));
+  last_step_ = step;
   store_.flush();
 }
 

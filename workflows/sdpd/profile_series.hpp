@@ -18,7 +18,7 @@ class ProfileSeries {
   bool shows(std::string const& quantity) const;
 
   /// `time` is in the scene's units. The rows are flushed.
-  void append(sdpd::Snapshot const& now, Box const& box, std::uint64_t step, double time);
+  void append(sdpd::Snapshot const& now, Box const& box, std::int64_t step, double time);
 
  private:
   void describe(Box const& box);

@@ -7,6 +7,8 @@
 namespace mesobridge::workflows {
 namespace {
 
+constexpr char const* step_origin = "step_origin"; ///< an attribute of the file
+
 /// The first number of the last row. Throws InputError when the rows are not those of this scene.
 std::int64_t last_step(Store const& store, std::string const& dataset, std::size_t width) {
   if (!store.contains(dataset))
@@ -34,12 +36,17 @@ RunFile::RunFile(std::filesystem::path const& file, OutputUnits const& units, sd
                  Provenance const& provenance)
     : RunFile(Store(file, Store::Mode::create, Store::Safety::marked), units, features) {
   write_provenance(store_, provenance);
+  store_.set_attribute("/", step_origin, std::string("begin of the sampling"));
   store_.mark();
 }
 
 RunFile RunFile::continue_file(std::filesystem::path const& file, OutputUnits const& units,
                                sdpd::Features features) {
   RunFile run(Store(file, Store::Mode::append, Store::Safety::marked), units, features);
+  if (!run.store_.has_attribute("/", step_origin)) // its steps count from the start: rows would be missed
+    throw InputError(fmt::format("cannot go on with '{}': an earlier version of mesobridge wrote it; begin "
+                                 "the run anew",
+                                 file.string()));
   run.last_row_ = last_step(run.store_, "thermodynamics", run.columns({}, 0).size());
   run.last_instant_ = last_step(run.store_, "moments", moment_names(features).size());
   return run;
@@ -70,10 +77,10 @@ std::vector<std::string> RunFile::column_names(OutputUnits const& units, sdpd::F
   return names;
 }
 
-void RunFile::append(sdpd::Observation const& now, double time) {
-  auto const step = static_cast<std::int64_t>(now.step);
+void RunFile::append(sdpd::Observation now, std::int64_t step, double time) {
   if (step <= last_row_)
     return;
+  now.step = static_cast<std::uint64_t>(step);
   std::vector<double> row;
   std::vector<std::string> names;
   for (auto const& [name, value] : columns(now, time))
@@ -85,8 +92,8 @@ void RunFile::append(sdpd::Observation const& now, double time) {
   store_.flush();
 }
 
-void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, std::uint64_t step) {
-  if (static_cast<std::int64_t>(step) <= last_instant_)
+void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, std::int64_t step) {
+  if (step <= last_instant_)
     return;
   if (!features_.energies)
     return;
@@ -121,7 +128,7 @@ void RunFile::append(sdpd::Snapshot const& now, sdpd::InstantMoments const& m, s
     store_.set_attribute("moments", "units",
                          std::string("reduced units of the particle size (energy K k_B T, density rho)"));
   }
-  last_instant_ = static_cast<std::int64_t>(step);
+  last_instant_ = step;
   store_.flush();
 }
 

@@ -29,8 +29,9 @@ class RunFile {
   /// Throws InputError when the last rows are older than those of these steps (see workflows::refuse_gap).
   void refuse_gap(std::int64_t last_sample, std::int64_t last_instant) const;
 
-  void append(sdpd::Observation const& now, double time);
-  void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::uint64_t step);
+  /// Steps and times count from the begin of the sampling.
+  void append(sdpd::Observation now, std::int64_t step, double time);
+  void append(sdpd::Snapshot const& now, sdpd::InstantMoments const& moments, std::int64_t step);
 
   /// All samples of the file, in reduced units.
   sdpd::EquilibriumSampler replay() const;

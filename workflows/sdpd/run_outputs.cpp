@@ -38,8 +38,8 @@ RunOutputs::RunOutputs(Scene const& scene, sdpd::SimulationSettings const& setti
                 : std::nullopt),
       trajectories_(scene, folder, provenance, before) {}
 
-void RunOutputs::refuse_gaps(std::int64_t done, std::int64_t equilibration) const {
-  auto const last = [&](std::int64_t every) { return equilibration + done - done % every; };
+void RunOutputs::refuse_gaps(std::int64_t done) const {
+  auto const last = [&](std::int64_t every) { return done - done % every; };
   run_file_.refuse_gap(last(sample_every_), last(instants_every_));
 }
 
@@ -53,10 +53,11 @@ std::int64_t RunOutputs::steps_to_next(std::int64_t done, std::int64_t steps) co
 
 void RunOutputs::record(std::int64_t done, sdpd::Observation const& observed,
                         sdpd::Simulation const& simulation) {
+  auto const time = static_cast<double>(done) * dt_;
   if (is_due(done, sample_every_))
-    run_file_.append(observed, static_cast<double>(done) * dt_);
+    run_file_.append(observed, done, time);
   if (is_due(done, series_every_))
-    series_->append(simulation, static_cast<double>(done) * dt_ * units_.time);
+    series_->append(simulation, done, time * units_.time);
   record_instants(done, simulation);
   trajectories_.record(done, simulation, units_, dt_);
 }
@@ -69,19 +70,18 @@ void RunOutputs::record_instants(std::int64_t done, sdpd::Simulation const& simu
   double const time = static_cast<double>(done) * dt_ * units_.time;
   auto const now =
       profile && profiles_->shows("P") ? simulation.snapshot_with_virials() : simulation.snapshot();
-  auto const step = simulation.step();
   if (instant) {
     auto moments = sdpd::moments(now);
     moments.pairing = simulation.pairing_fraction();
     moments.crystal = simulation.crystal_fraction();
-    run_file_.append(now, moments, step);
+    run_file_.append(now, moments, done);
   }
   if (profile)
-    profiles_->append(now, simulation.box(), step, time);
+    profiles_->append(now, simulation.box(), done, time);
   if (histogram)
-    histograms_->append(now, step, time);
+    histograms_->append(now, done, time);
   if (film)
-    film_->append(now, step, time);
+    film_->append(now, done, time);
 }
 
 } // namespace mesobridge::workflows

@@ -12,7 +12,7 @@
 namespace mesobridge::workflows {
 
 /// All that a run writes on its way: samples, instants, series, profiles, histograms, film and frames, each
-/// on its own schedule of sampled steps.
+/// on its own schedule. Steps and times in all of them count from the begin of the sampling.
 class RunOutputs {
  public:
   /// Creates the files in the folder or, when the run is resumed, goes on with what it wrote `before`. Throws
@@ -24,7 +24,7 @@ class RunOutputs {
   /// The run file of a folder that was copied while a run wrote there may be older than its checkpoint, which
   /// is that of `done` sampled steps: throws InputError when samples or instants are missing that were due
   /// until then. (Other series may have begun later or with another schedule.)
-  void refuse_gaps(std::int64_t done, std::int64_t equilibration) const;
+  void refuse_gaps(std::int64_t done) const;
 
   /// From this sampled step to the next that any of them wants, at most `steps`.
   std::int64_t steps_to_next(std::int64_t done, std::int64_t steps) const;

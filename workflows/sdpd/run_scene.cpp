@@ -138,7 +138,7 @@ class Run {
       return;
     }
     outputs_.emplace(scene_, settings_, units_, folder_.path(), provenance_, past.frames);
-    outputs_->refuse_gaps(done_, scene_.run.equilibrate);
+    outputs_->refuse_gaps(done_);
     if (changed)
       checkpoint(); // with the new schedules
   }

@@ -1,5 +1,6 @@
 #include "workflows/sdpd/trajectories.hpp"
 #include "md/error.hpp"
+#include "workflows/paraview_series.hpp"
 #include "workflows/store/seal.hpp"
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ ParticleFrame frame_of(std::int64_t done, sdpd::Simulation const& simulation, Ou
   auto now = simulation.snapshot();
   for (std::size_t i = 0; i < now.q.size(); ++i)
     now.q[i] *= length, now.p[i] *= velocity;
-  ParticleFrame frame{.step = static_cast<std::int64_t>(simulation.step()),
+  ParticleFrame frame{.step = done,
                       .time = static_cast<double>(done) * dt * units.time * (si ? ps : 1),
                       .box = Box{simulation.box().edge * length, simulation.box().periodic},
                       .to_angstrom = si ? nm_in_angstrom : 1,
@@ -81,8 +82,8 @@ H5mdWriter::Units h5md_units(bool si) {
 
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
                            Provenance const& provenance, std::optional<FrameSchedules> const& before)
-    : schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
-  auto const h5 = before ? h5md_file(folder) : folder / h5md_name, vtk = folder / "trajectory.vtkhdf",
+    : folder_(folder), schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
+  auto const h5 = before ? h5md_file(folder) : folder / h5md_name, vtk = folder / vtkhdf_name,
              xyz = folder / "trajectory.xyz";
   auto const past = before.value_or(FrameSchedules{});
   if (before) {
@@ -108,9 +109,8 @@ std::int64_t Trajectories::steps_to_next(std::int64_t done, std::int64_t steps) 
 
 void Trajectories::record(std::int64_t done, sdpd::Simulation const& simulation, OutputUnits const& units,
                           double dt) {
-  auto const step = static_cast<std::int64_t>(simulation.step());
   auto due = [&](auto const& writer, std::int64_t every) {
-    return writer && done % every == 0 && step > writer->last_step();
+    return writer && done % every == 0 && done > writer->last_step();
   };
   bool const h5 = due(h5md_, schedule_.trajectory_every), vtk = due(vtkhdf_, schedule_.vtkhdf_every),
              xyz = due(xyz_, schedule_.xyz_every);
@@ -145,6 +145,8 @@ void Trajectories::mark() {
 
 void Trajectories::close() {
   for_each_writer([](auto& writer) { writer.close(); });
+  if (vtkhdf_)
+    write_paraview_series(folder_ / vtkhdf_name);
 }
 
 } // namespace mesobridge::workflows

@@ -15,11 +15,13 @@ struct FrameSchedules {
 
 /// The H5MD file of a run, with the ending by which MDAnalysis knows it, and what it was called once.
 inline constexpr char const *h5md_name = "trajectory.h5md", *former_h5md_name = "trajectory.h5";
+inline constexpr char const* vtkhdf_name = "trajectory.vtkhdf";
 
 /// The trajectories that a scene asks for, each in its own format and on its own schedule: `trajectory.h5md`
-/// (H5MD), `trajectory.vtkhdf` (ParaView) and `trajectory.xyz` (OVITO). A resumed run repeats the steps after
-/// its checkpoint bit for bit: frames that a file holds already are skipped, and those that a run which was
-/// killed wrote after its last mark() are gone.
+/// (H5MD), `trajectory.vtkhdf` (ParaView 5.12 and later; for 5.11 `trajectory.hdf.series`, once the run ends)
+/// and `trajectory.xyz` (OVITO). A resumed run repeats the steps after its checkpoint bit for bit: frames
+/// that a file holds already are skipped, and those that a run which was killed wrote after its last mark()
+/// are gone.
 class Trajectories {
  public:
   /// Creates the files in the folder or, when the run is resumed, goes on with those that it wrote `before`.
@@ -41,6 +43,7 @@ class Trajectories {
   template <class F>
   void for_each_writer(F const& f); ///< of those that the scene asks for
 
+  std::filesystem::path folder_;
   Scene::Run schedule_;
   bool si_;
   std::optional<H5mdWriter> h5md_;

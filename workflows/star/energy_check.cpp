@@ -36,11 +36,9 @@ double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box 
   double energy = 0;
   auto const n = std::size_t(model.atoms());
   for (std::size_t first = 0; first + n <= q.size(); first += n)
-    for (auto const& bond : model.bonds) {
-      double const r =
-          norm(box.minimum_image(q[first + std::size_t(bond.a)] - q[first + std::size_t(bond.b)]));
-      energy += bond.k / 2 * (r - bond.l) * (r - bond.l);
-    }
+    for (auto const& bond : model.bonds)
+      energy += bond.law.energy(
+          norm(box.minimum_image(q[first + std::size_t(bond.a)] - q[first + std::size_t(bond.b)])));
   return energy;
 }
 

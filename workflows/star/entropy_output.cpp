@@ -68,9 +68,10 @@ Json entropy_json(cg::EntropyRoutes const& routes) {
     columns["U_low"] = curve.fit.curve.U_low();
     columns["U_high"] = curve.fit.curve.U_high();
     columns["samples"] = curve.fit.samples;
-    columns["method"] = fmt::format("S = sum of theta_j y^j, y = ln(U/{:.6g})/{:.4g}, {} terms",
-                                    curve.fit.curve.basis().U_ref, curve.fit.curve.basis().width,
-                                    curve.fit.curve.theta().size());
+    auto const& basis = curve.fit.curve.basis();
+    columns["method"] =
+        fmt::format("S = sum of theta_j y^j, y = ln((U - {0:.6g})/({1:.6g} - {0:.6g}))/{2:.4g}, {3} terms",
+                    basis.U_0, basis.U_ref, basis.width, basis.order);
     json["curves"][curve.name] = std::move(columns);
   }
   if (routes.kinetic_bins) {

@@ -31,9 +31,17 @@ std::pair<int, int> type_range(InputLine const& line, std::size_t word, int type
   return {whole(text.substr(0, star), 1), whole(text.substr(star + 1), types)};
 }
 
-struct Harmonic {
-  double K, l;
+/// The coefficients of a bond style that a mapping holds, by the names that both LAMMPS and the mapping have.
+struct BondStyle {
+  std::string_view name;
+  std::vector<char const*> coefficients;
 };
+
+std::vector<BondStyle> const& bond_styles() {
+  static std::vector<BondStyle> const styles{{"harmonic", {"K", "l"}},
+                                             {"fene", {"K", "R0", "epsilon", "sigma"}}};
+  return styles;
+}
 
 struct LennardJones {
   double epsilon, sigma, cutoff;
@@ -69,7 +77,8 @@ class Terms {
   bool has_pairs() const { return has_pairs_; }
   bool shifted() const { return shifted_; }
 
-  Harmonic bond(int type) const {
+  BondStyle const& bond_style() const { return *bond_style_; }
+  std::vector<double> const& bond(int type) const {
     auto const found = bonds_.find(type);
     require(found != bonds_.end(), "bond_coeff", type, "no line gives this type's coefficients");
     return found->second;
@@ -114,8 +123,10 @@ class Terms {
     if (style == "none" || style == "zero")
       return;
     if (command == "bond_style") {
-      if (style != "harmonic")
-        refuse(line, "a mapping holds harmonic bonds alone");
+      auto const found = std::ranges::find(bond_styles(), style, &BondStyle::name);
+      if (found == bond_styles().end())
+        refuse(line, "a mapping holds the bond styles harmonic and fene alone");
+      bond_style_ = &*found;
     } else if (command == "pair_style") {
       if (style != "lj/cut" && style != "lj/cut/opt")
         refuse(line, "a mapping holds the pair style lj/cut alone");
@@ -144,8 +155,11 @@ class Terms {
 
   void take_bond(InputLine const& line) {
     auto const [low, high] = type_range(line, 1, kind_.bonded_types[0]);
+    std::vector<double> values;
+    for (auto const* name : bond_style_->coefficients)
+      values.push_back(md::number_in(line, 2 + values.size(), name));
     for (int type = low; type <= high; ++type)
-      bonds_[type] = {md::number_in(line, 2, "K"), md::number_in(line, 3, "rest length")};
+      bonds_[type] = values;
   }
 
   void take_pair(InputLine const& line) {
@@ -213,7 +227,7 @@ class Terms {
   }
 
   static inline std::map<std::string, std::array<double, 3>> const named_weights{
-      {"amber", {0, 0, 0.5}}, {"charmm", {0, 0, 0}}, {"dreiding", {0, 0, 1}}};
+      {"amber", {0, 0, 0.5}}, {"charmm", {0, 0, 0}}, {"dreiding", {0, 0, 1}}, {"fene", {0, 1, 1}}};
 
   md::MoleculeKind const& kind_;
   bool has_pairs_ = false, shifted_ = false;
@@ -221,7 +235,8 @@ class Terms {
   Mix mix_ = Mix::geometric;
   std::array<double, 3> weights_{};
   std::string weights_origin_ = "special_bonds is not given";
-  std::map<int, Harmonic> bonds_;
+  BondStyle const* bond_style_ = &bond_styles().front();
+  std::map<int, std::vector<double>> bonds_;
   std::map<std::pair<int, int>, LennardJones> pairs_;
 };
 
@@ -237,15 +252,22 @@ std::string toml_list(std::vector<Number> const& values) {
 }
 
 std::string bonds_text(md::MoleculeKind const& kind, Terms const& terms) {
+  auto const& style = terms.bond_style();
   std::vector<std::int64_t> a, b;
-  std::vector<double> K, l;
+  std::vector<std::vector<double>> columns(style.coefficients.size());
   for (auto const& term : kind.bonded[0]) {
-    auto const law = terms.bond(term.type);
-    a.push_back(term.atoms[0] + 1), b.push_back(term.atoms[1] + 1), K.push_back(law.K), l.push_back(law.l);
+    auto const& values = terms.bond(term.type);
+    a.push_back(term.atoms[0] + 1), b.push_back(term.atoms[1] + 1);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c].push_back(values[c]);
   }
-  return a.empty() ? ""
-                   : fmt::format("\n[bonds]\ncount = {}\na = {}\nb = {}\nK = {}\nl = {}\n", a.size(),
-                                 toml_list(a), toml_list(b), toml_list(K), toml_list(l));
+  if (a.empty())
+    return "";
+  auto text = fmt::format("\n[bonds]\nstyle = \"{}\"\ncount = {}\na = {}\nb = {}\n", style.name, a.size(),
+                          toml_list(a), toml_list(b));
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    text += fmt::format("{} = {}\n", style.coefficients[c], toml_list(columns[c]));
+  return text;
 }
 
 std::string pairs_text(md::MoleculeKind const& kind, Terms const& terms) {

@@ -27,22 +27,54 @@ bool yes(fitting::TomlReader& table, char const* key, std::string const& name) {
   return text == "yes";
 }
 
-void read_bonds(fitting::TomlReader table, cg::MoleculeModel& model) {
-  std::size_t const count = count_of(table, "bonds");
+cg::BondLaw fene_bond(double K, double R0, double epsilon, double sigma) {
+  require(K > 0, "bonds.K", K, "must be > 0");
+  require(R0 > 0, "bonds.R0", R0, "must be > 0");
+  require(epsilon >= 0, "bonds.epsilon", epsilon, "must be >= 0");
+  require(sigma >= 0, "bonds.sigma", sigma, "must be >= 0");
+  return cg::BondLaw::fene(K, R0, epsilon, sigma);
+}
+
+cg::BondLaw harmonic_bond(double k, double l) {
+  require(k > 0, "bonds.k", k, "must be > 0");
+  require(l >= 0, "bonds.l", l, "must be >= 0");
+  return cg::BondLaw::harmonic(k, l);
+}
+
+/// The laws of the bonds, in order.
+std::vector<cg::BondLaw> fene_bonds(fitting::TomlReader& table, std::size_t count) {
+  auto const K = table.numbers("K", count), R0 = table.numbers("R0", count),
+             epsilon = table.numbers("epsilon", count), sigma = table.numbers("sigma", count);
+  std::vector<cg::BondLaw> laws;
+  for (std::size_t i = 0; i < count; ++i)
+    laws.push_back(fene_bond(K[i], R0[i], epsilon[i], sigma[i]));
+  return laws;
+}
+
+std::vector<cg::BondLaw> harmonic_bonds(fitting::TomlReader& table, std::size_t count) {
   bool const lammps = table.has("K");
   if (lammps == table.has("k"))
     throw InputError(
         fmt::format("bonds: {}: k (the energy is k (r - l)^2 / 2) or K (LAMMPS's: K (r - l)^2) must "
                     "be given",
                     lammps ? "both k and K are there, one of them" : "neither k nor K is there: one"));
-  auto const a = table.numbers("a", count), b = table.numbers("b", count),
-             k = table.numbers(lammps ? "K" : "k", count), l = table.numbers("l", count);
+  auto const k = table.numbers(lammps ? "K" : "k", count), l = table.numbers("l", count);
+  std::vector<cg::BondLaw> laws;
+  for (std::size_t i = 0; i < count; ++i)
+    laws.push_back(harmonic_bond(lammps ? 2 * k[i] : k[i], l[i]));
+  return laws;
+}
+
+void read_bonds(fitting::TomlReader table, cg::MoleculeModel& model) {
+  std::size_t const count = count_of(table, "bonds");
+  auto const style = table.has("style") ? table.text("style") : "harmonic";
+  require(style == "harmonic" || style == "fene", "bonds.style", style, "must be \"harmonic\" or \"fene\"");
+  auto const a = table.numbers("a", count), b = table.numbers("b", count);
+  auto const laws = style == "fene" ? fene_bonds(table, count) : harmonic_bonds(table, count);
   for (std::size_t i = 0; i < count; ++i) {
-    md::HarmonicBond const bond{whole(a[i], "bonds.a", 1, model.atoms()) - 1,
-                                whole(b[i], "bonds.b", 1, model.atoms()) - 1, lammps ? 2 * k[i] : k[i], l[i]};
+    cg::Bond const bond{whole(a[i], "bonds.a", 1, model.atoms()) - 1,
+                        whole(b[i], "bonds.b", 1, model.atoms()) - 1, laws[i]};
     require(bond.a != bond.b, "bonds.b", b[i], "must be another atom than bonds.a");
-    require(bond.k > 0, "bonds.k", bond.k, "must be > 0");
-    require(bond.l >= 0, "bonds.l", bond.l, "must be >= 0");
     model.bonds.push_back(bond);
   }
   table.refuse_unknown();

@@ -42,6 +42,12 @@ class Store {
   void append(std::string const& path, std::span<double const> values, Shape const& row_shape = {});
   void append(std::string const& path, std::span<std::int64_t const> values, Shape const& row_shape = {});
 
+  /// A dataset that shows `rows` rows of one of another file from the `first` on (a virtual dataset of HDF5
+  /// 1.10): it holds no numbers of its own, and follows the other file while both keep their places to each
+  /// other.
+  void write_view(std::string const& path, Store const& source, std::string const& source_path,
+                  std::size_t first, std::size_t rows);
+
   /// A dataset whole, row after row. Integers are numbers, too, but no number with a point is an integer.
   std::vector<double> read_doubles(std::string const& path, Expected const& expected = {}) const;
   std::vector<std::int64_t> read_integers(std::string const& path, Expected const& expected = {}) const;

@@ -228,6 +228,42 @@ TEST_F(MoleculesTest, OfChainsWithFeneBondsAddUp) {
   }
 }
 
+TEST_F(MoleculesTest, OfChainsHaveLammpssEnergiesByOurOwnLawsToo) {
+  run({.data = examples / "chain.data",
+       .forces = examples / "chain.settings",
+       .replicate = {3, 3, 3},
+       .rho = 0.25,
+       .dt = 0.005,
+       .squeeze_steps = 400,
+       .equilibration_steps = 200,
+       .sampling_steps = 200,
+       .checkpoint_every = 600,
+       .directory = folder_.path()});
+  MoleculeModel model{.masses = std::vector<double>(10, 1.0),
+                      .types = std::vector<int>(10, 0),
+                      .pairs = {PairLaw(1, 1, md::wca_cutoff(), true)},
+                      .type_count = 1,
+                      .bonds = {},
+                      .excluded = {}};
+  for (int a = 0; a < 9; ++a) {
+    model.bonds.push_back({a, a + 1, BondLaw::fene(30, 1.5, 1, 1)});
+    model.excluded.emplace_back(a, a + 1);
+  }
+  auto frame = last_;
+  frame.inside.clear(); // LAMMPS's word
+  auto const blobs = BlobMaker(model).blobs(frame);
+  ASSERT_EQ(blobs.size(), 27u);
+  for (std::size_t m = 0; m < blobs.size(); ++m)
+    EXPECT_NEAR(blobs[m].U_pot, last_.inside[m], 1e-9 * last_.inside[m]) << m;
+}
+
+TEST(BondLaw, OfAFeneBondEndsAtItsGreatestLength) {
+  auto const law = BondLaw::fene(30, 1.5, 1, 1);
+  EXPECT_GT(law.energy(1.4999), 200);
+  EXPECT_THROW(law.energy(1.5), PhysicsError);
+  EXPECT_THROW(law.energy(2), PhysicsError);
+}
+
 TEST_F(MoleculesTest, ResumedEqualTheUnbrokenOnesBitForBit) {
   run(butane_melt(folder_.path()));
   auto const unbroken = blobs_;

@@ -40,17 +40,17 @@ TEST(H5md, FramesFollowTheFormat) {
   EXPECT_TRUE(store.has_attribute("h5md", "version"));
   EXPECT_EQ(store.read_text_attribute("h5md/creator", "name"), "mesobridge");
   EXPECT_TRUE(store.has_attribute("h5md/author", "name"));
-  EXPECT_EQ(store.read_integer_attribute("particles/all/box", "dimension"), 3);
-  EXPECT_EQ(store.shape("particles/all/position/value"), (Store::Shape{2, 3, 3}));
-  EXPECT_EQ(store.shape("particles/all/box/edges/value"), (Store::Shape{2, 3, 3}));
-  EXPECT_EQ(store.read_integers("particles/all/position/step"), (std::vector<std::int64_t>{0, 10}));
-  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/position/time")[1], 20);   // ps
-  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/position/value")[4], 2);   // nm
-  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/velocity/value")[0], 0.1); // nm/ps
-  EXPECT_DOUBLE_EQ(store.read_doubles("particles/all/box/edges/value")[8], 3);
-  EXPECT_EQ(store.read_text_attribute("particles/all/position/value", "unit"), "nm");
-  EXPECT_EQ(store.read_text_attribute("particles/all/velocity/value", "unit"), "nm ps-1");
-  EXPECT_EQ(store.read_text_attribute("particles/all/position/time", "unit"), "ps");
+  EXPECT_EQ(store.read_integer_attribute("particles/trajectory/box", "dimension"), 3);
+  EXPECT_EQ(store.shape("particles/trajectory/position/value"), (Store::Shape{2, 3, 3}));
+  EXPECT_EQ(store.shape("particles/trajectory/box/edges/value"), (Store::Shape{2, 3, 3}));
+  EXPECT_EQ(store.read_integers("particles/trajectory/position/step"), (std::vector<std::int64_t>{0, 10}));
+  EXPECT_DOUBLE_EQ(store.read_doubles("particles/trajectory/position/time")[1], 20);   // ps
+  EXPECT_DOUBLE_EQ(store.read_doubles("particles/trajectory/position/value")[4], 2);   // nm
+  EXPECT_DOUBLE_EQ(store.read_doubles("particles/trajectory/velocity/value")[0], 0.1); // nm/ps
+  EXPECT_DOUBLE_EQ(store.read_doubles("particles/trajectory/box/edges/value")[8], 3);
+  EXPECT_EQ(store.read_text_attribute("particles/trajectory/position/value", "unit"), "nm");
+  EXPECT_EQ(store.read_text_attribute("particles/trajectory/velocity/value", "unit"), "nm ps-1");
+  EXPECT_EQ(store.read_text_attribute("particles/trajectory/position/time", "unit"), "ps");
   EXPECT_EQ(store.read_doubles("observables/P/value"), std::vector<double>{1e9});
   EXPECT_EQ(store.read_text_attribute("observables/P/value", "unit"), "Pa");
 }
@@ -65,9 +65,9 @@ TEST(H5md, ANaNIsRefusedAndNothingOfItsFrameIsWritten) {
   EXPECT_THROW(writer.append_observable("P", 1, 0, std::nan("")), PhysicsError);
   writer.close();
   Store const store(scratch / "t.h5md", Store::Mode::read);
-  EXPECT_EQ(store.shape("particles/all/position/value"), (Store::Shape{1, 1, 3}));
-  EXPECT_FALSE(store.contains("particles/all/velocity"));
-  EXPECT_FALSE(store.has_attribute("particles/all/position/value", "unit"));
+  EXPECT_EQ(store.shape("particles/trajectory/position/value"), (Store::Shape{1, 1, 3}));
+  EXPECT_FALSE(store.contains("particles/trajectory/velocity"));
+  EXPECT_FALSE(store.has_attribute("particles/trajectory/position/value", "unit"));
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "md/error.hpp"
 #include "scratch_directory.hpp"
+#include "workflows/command.hpp"
 #include "workflows/extended_xyz.hpp"
 #include "workflows/h5md.hpp"
+#include "workflows/paraview_series.hpp"
 #include "workflows/store/seal.hpp"
 #include "workflows/text_file.hpp"
 #include "workflows/vtkhdf.hpp"
@@ -96,6 +98,34 @@ TEST(VtkHdf, EveryStepIsFoundByTheOffsetsOfTheFormat) {
   }
 }
 
+/// ParaView 5.11 reads version 1 of the format, one file a time.
+TEST(VtkHdf, EveryFrameIsShownByAFileOfItsOwn) {
+  ScratchDirectory const scratch;
+  std::filesystem::create_directory(scratch / "a run");
+  {
+    VtkHdfWriter writer(scratch / "a run" / "t.vtkhdf", {});
+    for (std::int64_t k : {0, 1, 2})
+      writer.append(frame(k));
+    writer.close();
+  }
+  write_paraview_series(scratch / "a run" / "t.vtkhdf");
+  std::filesystem::rename(scratch / "a run", scratch / "moved"); // both keep their places to each other
+  auto const series = Json::parse(read_text_file(scratch / "moved" / "t.hdf.series"));
+  ASSERT_EQ(series["files"].size(), 3u);
+  for (std::int64_t k : {0, 1, 2}) {
+    auto const expected = frame(k);
+    auto const& entry = series["files"][static_cast<std::size_t>(k)];
+    EXPECT_EQ(entry["time"], expected.time);
+    Store const shown(scratch / "moved" / entry["name"].get<std::string>(), Store::Mode::read);
+    EXPECT_EQ(shown.read_integers("VTKHDF/NumberOfPoints"), std::vector<std::int64_t>{particles});
+    EXPECT_EQ(shown.read_integers("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2, 3}));
+    EXPECT_EQ(shown.read_doubles("VTKHDF/PointData/T_K"), expected.scalars[0].second);
+    auto const points = shown.read_doubles("VTKHDF/Points");
+    for (std::size_t i = 0; i < particles; ++i)
+      EXPECT_EQ(points.at(3 * i + 1), expected.positions[i].y);
+  }
+}
+
 TEST(VtkHdf, RefusesWhatIsNotANumberAndWhatIsNoVtkHdf) {
   ScratchDirectory const scratch;
   auto bad = frame(0);
@@ -168,10 +198,10 @@ TEST(H5md, HoldsWhatParticlesHaveWithItsUnit) {
     writer.append({.step = step, .time = 0, .box = of.box, .positions = of.positions, .scalars = of.scalars});
   writer.close();
   Store const store(file, Store::Mode::read);
-  EXPECT_EQ(store.read_text_attribute("particles/all/T/value", "unit"), "K");
-  EXPECT_EQ(store.read_row("particles/all/T/value", 1), of.scalars[0].second);
-  EXPECT_EQ(store.read_row("particles/all/rho/value", 0), of.scalars[1].second);
-  EXPECT_EQ(store.rows("particles/all/rho/step"), 2u);
+  EXPECT_EQ(store.read_text_attribute("particles/trajectory/T/value", "unit"), "K");
+  EXPECT_EQ(store.read_row("particles/trajectory/T/value", 1), of.scalars[0].second);
+  EXPECT_EQ(store.read_row("particles/trajectory/rho/value", 0), of.scalars[1].second);
+  EXPECT_EQ(store.rows("particles/trajectory/rho/step"), 2u);
   EXPECT_EQ(store.read_row("observables/T/value", 1), of.scalars[0].second);
 }
 
@@ -185,8 +215,9 @@ TEST(Trajectories, SayWhichEdgesArePeriodic) {
   xyz.close();
   EXPECT_NE(read_text_file(scratch / "t.xyz").find("pbc=\"T F T\""), std::string::npos);
   H5mdWriter(scratch / "t.h5", H5mdWriter::Units::si(), {}, open.box.periodic).close();
-  EXPECT_EQ(Store(scratch / "t.h5", Store::Mode::read).read_text_attributes("particles/all/box", "boundary"),
-            (std::vector<std::string>{"periodic", "none", "periodic"}));
+  EXPECT_EQ(
+      Store(scratch / "t.h5", Store::Mode::read).read_text_attributes("particles/trajectory/box", "boundary"),
+      (std::vector<std::string>{"periodic", "none", "periodic"}));
 }
 
 TEST(ExtendedXyz, GoesOnAfterTheLastWholeFrame) {

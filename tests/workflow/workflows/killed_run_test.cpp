@@ -86,8 +86,9 @@ void kill_and_compare(int wanted, unsigned seed) {
                                          "series/time_s",
                                          "series/compression_response",
                                          "histogram/rho_kg_m3/edges"},
-      frames{"particles/all/position/value", "particles/all/velocity/value", "particles/all/position/step",
-             "particles/all/velocity/time", "particles/all/box/edges/value"},
+      frames{"particles/trajectory/position/value", "particles/trajectory/velocity/value",
+             "particles/trajectory/position/step", "particles/trajectory/velocity/time",
+             "particles/trajectory/box/edges/value"},
       vtk_frames{"VTKHDF/Points",       "VTKHDF/PointData/velocity", "VTKHDF/PointData/rho_kg_m3",
                  "VTKHDF/Steps/Values", "VTKHDF/Steps/PointOffsets", "mesobridge/step"};
   auto const expected = datasets(unbroken / "run.h5", results);
@@ -166,7 +167,7 @@ TEST(KilledRun, OfAMeltOnTwoRanksIsResumedAtOnce) {
   ASSERT_EQ(steps.size(), 300u);
   for (std::size_t k = 1; k < steps.size(); ++k)
     ASSERT_EQ(steps[k] - steps[k - 1], 20) << k;
-  EXPECT_EQ(centres.read_integers("particles/all/position/step"), steps);
+  EXPECT_EQ(centres.read_integers("particles/trajectory/position/step"), steps);
 }
 
 // A chapter's runs are processes of their own, several at once. They end with the one that started them, and

@@ -195,12 +195,13 @@ TEST(Molecules, BecomeAMappingWithTheModelOfTheStar) {
   EXPECT_EQ(mapping.model.excluded, star.excluded);
   ASSERT_EQ(mapping.model.bonds.size(), star.bonds.size());
   auto bonds = star.bonds;
-  std::ranges::sort(bonds, {}, [](auto const& bond) { return std::tuple(bond.l < 1.5, bond.a, bond.b); });
+  std::ranges::sort(bonds, {},
+                    [](auto const& bond) { return std::tuple(bond.law.length() < 1.5, bond.a, bond.b); });
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     EXPECT_EQ(mapping.model.bonds[k].a, bonds[k].a);
     EXPECT_EQ(mapping.model.bonds[k].b, bonds[k].b);
-    EXPECT_EQ(mapping.model.bonds[k].k, 20);
-    EXPECT_EQ(mapping.model.bonds[k].l, bonds[k].l);
+    EXPECT_EQ(mapping.model.bonds[k].law.stiffness(), 20);
+    EXPECT_EQ(mapping.model.bonds[k].law.length(), bonds[k].law.length());
   }
   for (double const r : {0.9, 1.0, 1.1, 1.2})
     EXPECT_NEAR(mapping.model.law(0, 0).energy(r * r), star.law(0, 0).energy(r * r), 1e-12) << r;
@@ -222,11 +223,37 @@ TEST(Molecules, WithMixedPairsBecomeAMapping) {
   ASSERT_EQ(result.status, 0) << result.errors;
   auto const mapping = read_mapping(scratch / "d.toml");
   EXPECT_EQ(mapping.units.name, "real");
-  EXPECT_EQ(mapping.model.bonds[0].k, 536);
+  EXPECT_EQ(mapping.model.bonds[0].law.stiffness(), 536);
   EXPECT_EQ(mapping.model.excluded.size(), 3u);
   EXPECT_NEAR(mapping.model.law(0, 1).cutoff(), 11, 1e-12);
   EXPECT_NEAR(mapping.model.law(0, 1).energy(16),
               4 * 0.1 * (std::pow(3.875 / 4, 12) - std::pow(3.875 / 4, 6)), 1e-12);
+}
+
+TEST(Molecules, WithFeneBondsBecomeAMapping) {
+  ScratchDirectory const scratch;
+  auto const result = program({"cg", "mapping", molecules + "chain.data", "--settings",
+                               molecules + "chain.settings", "-o", (scratch / "c.toml").string()});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  auto const mapping = read_mapping(scratch / "c.toml");
+  ASSERT_EQ(mapping.model.bonds.size(), 9u);
+  EXPECT_EQ(mapping.model.excluded.size(), 9u);
+  double const r = 0.97; // of Kremer and Grest's melts
+  EXPECT_NEAR(mapping.model.bonds[4].law.energy(r),
+              -15 * 2.25 * std::log(1 - r * r / 2.25) + 4 * (std::pow(r, -12) - std::pow(r, -6)) + 1, 1e-12);
+  auto text = read_text_file(scratch / "c.toml");
+  for (auto const& [from, to, said] : {std::tuple{"\"fene\"", "\"morse\"", "bonds.style = morse"},
+                                       {"R0", "l", "R0"},
+                                       {"1.5", "-1.5", "bonds.R0"}}) {
+    auto changed = text;
+    write_text_file(scratch / "no.toml", changed.replace(changed.find(from), std::string(from).size(), to));
+    try {
+      read_mapping(scratch / "no.toml");
+      FAIL() << to;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Molecules, ThatAMappingCannotHoldAreRefusedByName) {
@@ -242,7 +269,8 @@ TEST(Molecules, ThatAMappingCannotHoldAreRefusedByName) {
   };
   std::vector<Case> const cases{
       {"butane.data", molecules + "butane.settings", "'angle_style harmonic'"},
-      {"chain.data", molecules + "chain.settings", "'bond_style fene'"},
+      {"star.data", changed("morse", "bond_style      harmonic", "bond_style      morse"),
+       "'bond_style morse'"},
       {"star.data", changed("weights", "lj 1 1 1", "lj 1 0 1"),
        "atoms 2 bonds apart count as pairs by the weight 0"},
       {"star.data", changed("none", "special_bonds   lj 1 1 1", ""), "special_bonds is not given"},

@@ -167,11 +167,13 @@ struct H5md {
   static H5mdWriter resume(std::filesystem::path const& file) {
     return H5mdWriter::continue_file(file, H5mdWriter::Units::reduced());
   }
-  static constexpr std::array datasets{"particles/all/position/value",  "particles/all/velocity/value",
-                                       "particles/all/position/time",   "particles/all/velocity/time",
-                                       "particles/all/box/edges/value", "particles/all/box/edges/time"};
-  static constexpr std::array steps{"particles/all/position/step", "particles/all/velocity/step",
-                                    "particles/all/box/edges/step"};
+  static constexpr std::array datasets{
+      "particles/trajectory/position/value",  "particles/trajectory/velocity/value",
+      "particles/trajectory/position/time",   "particles/trajectory/velocity/time",
+      "particles/trajectory/box/edges/value", "particles/trajectory/box/edges/time"};
+  static constexpr std::array steps{"particles/trajectory/position/step",
+                                    "particles/trajectory/velocity/step",
+                                    "particles/trajectory/box/edges/step"};
 };
 struct VtkHdf {
   static VtkHdfWriter create(std::filesystem::path const& file) { return VtkHdfWriter(file, {}); }

@@ -26,7 +26,9 @@ std::vector<SceneKey> run_keys() {
           "steps between frames of trajectory.h5md (H5MD, for MDAnalysis and VMD); 0: none")
           .in(not_negative),
       run("vtkhdf_every", &Scene::Run::vtkhdf_every,
-          "steps between frames of trajectory.vtkhdf (for ParaView 5.12 and later); 0: none")
+          "steps between frames of trajectory.vtkhdf (for ParaView; for its version 5.11 open "
+          "trajectory.hdf.series); "
+          "0: none")
           .in(not_negative),
       run("xyz_every", &Scene::Run::xyz_every,
           "steps between frames of trajectory.xyz (extended XYZ, for OVITO and ASE); 0: none")
