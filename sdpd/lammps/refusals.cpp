@@ -9,18 +9,12 @@ struct Refusal {
   std::string_view what; ///< begins with the name of the setting
 };
 
-template <class Method>
-bool is(SimulationSettings const& s) {
-  return std::holds_alternative<Method>(s.method);
-}
-
 bool has_walls_or_open_faces(SimulationSettings const& s) {
   auto const box = box_of(s);
   return !(box.periodic[0] && box.periodic[1] && box.periodic[2]);
 }
 
 constexpr std::array<Refusal, 10> refusals{{
-    {is<Sdpd>, "method.name = sdpd: the LAMMPS engine runs dpd and dpde"},
     {[](auto const& s) { return s.scheme.pairs != "ser"; },
      "scheme.name: the LAMMPS engine has ser alone, which steps all pairs at once"},
     {[](auto const& s) { return s.scheme.conservative != "verlet"; },
@@ -34,6 +28,7 @@ constexpr std::array<Refusal, 10> refusals{{
     {[](auto const& s) { return !s.reduced_species().empty(); },
      "species: the LAMMPS engine runs fluids of one species"},
     {[](auto const& s) { return s.conducts(); }, "conduction: not in the LAMMPS engine"},
+    {[](auto const& s) { return s.features().reacts; }, "reaction: not in the LAMMPS engine"},
 }};
 
 } // namespace
