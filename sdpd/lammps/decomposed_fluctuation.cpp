@@ -44,16 +44,28 @@ struct StartLanes {
   VectorLanes<Lanes> v;
   Lanes T{}, inverse_C{}, inverse_rho{};
 
-  [[gnu::always_inline]] StartLanes(double const* rows, std::uint32_t const* of) {
-    using Rows = StartRows<Law>;
-    auto const row = [&](std::size_t l) { return rows + std::size_t{of[l]} * Rows::stride; };
-    if constexpr (Rows::has_densities) {
-      auto const all = load_lines(row);
-      v = {all[0], all[1], all[2]}, T = all[3], inverse_C = all[4], inverse_rho = all[5];
-    } else {
-      auto const all = load_rows(row);
-      v = {all[0], all[1], all[2]}, T = all[3];
-    }
+  using Rows = StartRows<Law>;
+  using Columns = std::array<Lanes, Rows::stride>;
+
+  [[gnu::always_inline]] explicit StartLanes(Columns const& all) : v{all[0], all[1], all[2]}, T(all[3]) {
+    if constexpr (Rows::has_densities)
+      inverse_C = all[4], inverse_rho = all[5];
+  }
+  [[gnu::always_inline]] static StartLanes of(double const* rows, std::uint32_t const* who) {
+    auto const row = [&](std::size_t l) { return rows + std::size_t{who[l]} * Rows::stride; };
+    if constexpr (Rows::has_densities)
+      return StartLanes(load_lines(row));
+    else
+      return StartLanes(load_rows(row));
+  }
+  /// Of first particles, which often are one.
+  [[gnu::always_inline]] static StartLanes of_first(double const* rows, std::uint32_t const* who) {
+    if (!are_one(who))
+      return of(rows, who);
+    Columns columns;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c] = broadcast(rows[std::size_t{who[0]} * Rows::stride + c]);
+    return StartLanes(columns);
   }
 };
 
@@ -87,7 +99,7 @@ void DecomposedFluid::for_each_change(Law const& law, RankParticles const& parti
       PairNoiseLanes const noise(source, particles, i, j, Law::noise);
       for (std::size_t from = 0; from < count; from += lane_count) {
         EightPairs const at(rows_.data(), i + from, j + from, count - from);
-        StartLanes<Law> const a(start, at.i), b(start, at.j);
+        auto const a = StartLanes<Law>::of_first(start, at.i), b = StartLanes<Law>::of(start, at.j);
         VectorLanes<Lanes> const v{a.v.x - b.v.x, a.v.y - b.v.y, a.v.z - b.v.z};
         auto const weight = not_negative_weights(weights(at.r, at.inverse_r, a.inverse_rho, b.inverse_rho));
         InputLanes<Law::across, Lanes> const input(

@@ -120,23 +120,28 @@ class FluidFix final : public LAMMPS_NS::Fix, public GhostExchange {
   }
 
   int pack_forward_comm(int n, int* of, double* to, int, int*) override {
+    double const* const begin = to;
     for (int k = 0; k < n; ++k)
-      to = std::copy_n(row(of[k]), under_way_.width, to);
-    return n * under_way_.width;
+      for (double const number : row(of[k]))
+        *to++ = number;
+    return static_cast<int>(to - begin);
   }
   void unpack_forward_comm(int n, int first, double* from) override {
-    for (int k = first; k < first + n; ++k, from += under_way_.width)
-      std::copy_n(from, under_way_.width, row(k));
+    for (int k = first; k < first + n; ++k)
+      for (double& number : row(k))
+        number = *from++;
   }
   int pack_reverse_comm(int n, int first, double* to) override {
+    double const* const begin = to;
     for (int k = first; k < first + n; ++k)
-      to = std::copy_n(row(k), under_way_.width, to);
-    return n * under_way_.width;
+      for (double const number : row(k))
+        *to++ = number;
+    return static_cast<int>(to - begin);
   }
   void unpack_reverse_comm(int n, int* of, double* from) override {
     for (int k = 0; k < n; ++k)
-      for (int c = 0; c < under_way_.width; ++c)
-        row(of[k])[c] += *from++;
+      for (double& number : row(of[k]))
+        number += *from++;
   }
 
   void forward(TravellingRows const& rows) override {
@@ -149,7 +154,10 @@ class FluidFix final : public LAMMPS_NS::Fix, public GhostExchange {
   }
 
  private:
-  double* row(int i) const { return under_way_.rows + std::ptrdiff_t{under_way_.stride} * i; }
+  std::span<double> row(int i) const {
+    return {under_way_.rows + std::ptrdiff_t{under_way_.stride} * i,
+            static_cast<std::size_t>(under_way_.width)};
+  }
   DecomposedFluid::Carried& carried(int i) { return fluid->carried[static_cast<std::size_t>(i)]; }
 
   DecomposedFluid* fluid = nullptr;

@@ -109,7 +109,7 @@ TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
   std::vector<tests::Refusal> cases;
   for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "run.seed=1", "scheme.name"),
                                             {"argon-1000K", "run.seed=1", "scheme.name"},
-                                            {"sdpd-ranks", "transport.kappa=1e-2", "conduction"},
+                                            {"sdpd-ranks", "transport.kappa=1e-2 W/(m*K)", "conduction"},
                                             {"dpde-fluid", "scheme.splitting=strang", "scheme.name"}})
     for (char const* command : {"run", "check"})
       cases.push_back(
