@@ -1,30 +1,11 @@
 #include "sdpd/fluctuation/ser_change.hpp"
 #include "sdpd/lammps/decomposed_fluid.hpp"
-#include "sdpd/state/random_lanes.hpp"
+#include "sdpd/lammps/pair_noise.hpp"
 
 // Friction and noise of a rank's particles: all pairs at once, explicitly (sdpd/README.md, Eq. (S25)).
 
 namespace mesobridge::sdpd {
 namespace {
-
-/// The noise of sixteen pairs, vectors that point from the smaller id to the larger one.
-struct PairNoiseLanes {
-  WideFloats x, y, z;
-
-  PairNoiseLanes(NoiseLanes const& source, RankParticles const& particles, std::uint32_t const* i,
-                 std::uint32_t const* j, PairNoise kind) {
-    auto const* const ids = reinterpret_cast<std::uint32_t const*>(particles.ids);
-    WideBits const a = gather(ids, load<WideBits>(i)) - 1u, b = gather(ids, load<WideBits>(j)) - 1u;
-    GaussianLanes const G(source, a < b ? a : b, a < b ? b : a);
-    auto const plus = constant<WideFloats>(1);
-    WideFloats const sign = kind == PairNoise::along || a < b ? plus : -plus;
-    x = sign * G.x, y = sign * G.y, z = sign * G.z;
-  }
-  VectorLanes<Lanes> half(std::size_t from) const {
-    auto of = [&](WideFloats const& all) { return to_double(from == 0 ? low_half(all) : high_half(all)); };
-    return {of(x), of(y), of(z)};
-  }
-};
 
 TravellingRows vectors_of(std::vector<Row>& rows) {
   return {.rows = reinterpret_cast<double*>(rows.data()), .stride = 4, .width = 3};
@@ -78,12 +59,6 @@ template <class Law>
     return law.template bath<Lanes>();
 }
 
-/// A distance beside the range may round past it, where some kernels are below zero.
-[[gnu::always_inline]] inline PairWeights<Lanes> not_negative_weights(PairWeights<Lanes> const& weight) {
-  Lanes const zero{};
-  return {weight.par < zero ? zero : weight.par, weight.perp < zero ? zero : weight.perp};
-}
-
 } // namespace
 
 /// Calls f(pairs, change) for the pairs in range, eight at a time, with what the first particle of each
@@ -101,7 +76,7 @@ void DecomposedFluid::for_each_change(Law const& law, RankParticles const& parti
         EightPairs const at(rows_.data(), i + from, j + from, count - from);
         auto const a = StartLanes<Law>::of_first(start, at.i), b = StartLanes<Law>::of(start, at.j);
         VectorLanes<Lanes> const v{a.v.x - b.v.x, a.v.y - b.v.y, a.v.z - b.v.z};
-        auto const weight = not_negative_weights(weights(at.r, at.inverse_r, a.inverse_rho, b.inverse_rho));
+        auto const weight = not_negative(weights(at.r, at.inverse_r, a.inverse_rho, b.inverse_rho));
         InputLanes<Law::across, Lanes> const input(
             weight, {at.x * at.inverse_r, at.y * at.inverse_r, at.z * at.inverse_r}, noise.half(from));
         f(at, ser_change(law, bath_of(law, a, b), input, v, time));
@@ -113,7 +88,14 @@ void DecomposedFluid::for_each_change(Law const& law, RankParticles const& parti
 void DecomposedFluid::fluctuate(RankParticles const& particles, GhostExchange& ghosts, std::uint64_t step) {
   if (step % fluctuate_every_ != fluctuate_every_ - 1)
     return;
-  std::visit([&](auto const& law) { fluctuate(law, particles, ghosts, step); }, parts_.law);
+  std::visit(
+      [&](auto const& law) {
+        if (blocks_)
+          step_in_turn(law, particles, ghosts, step);
+        else
+          fluctuate(law, particles, ghosts, step);
+      },
+      parts_.law);
   if (!has_energies())
     return;
   add_heat(particles, step);
@@ -178,12 +160,33 @@ void DecomposedFluid::find_heat(std::size_t all, GhostExchange& ghosts) {
   ghosts.reverse({heat_.data(), 1, 1});
 }
 
+/// One pair after the other.
+template <class Law>
+void DecomposedFluid::step_in_turn(Law const& law, RankParticles const& particles, GhostExchange& ghosts,
+                                   std::uint64_t step) {
+  Failure failure;
+  auto const& rows = blocks_->run(law,
+                                  {.parts = parts_,
+                                   .particles = particles,
+                                   .own = own_,
+                                   .ghosts = ghosts,
+                                   .seed = seed_,
+                                   .step = step,
+                                   .time = fluctuate_every_ * dt_},
+                                  failure);
+  stop_at(failure, step);
+  heat_.resize(particles.owned);
+  for (std::size_t i = 0; i < particles.owned; ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      particles.v[3 * i + c] = rows[i][c];
+    heat_[i] = rows[i][3];
+  }
+}
+
 /// The energies, and the temperatures that belong to them.
 void DecomposedFluid::add_heat(RankParticles const& particles, std::uint64_t step) {
   std::size_t const n = particles.owned;
   Failure failure;
-  if (!has_densities())
-    parts_.thermodynamics->response(own_, {0, n}, failure);
   for (std::size_t i = 0; i < n; ++i)
     gain_of_ser(own_, i, heat_[i], failure);
   stop_at(failure, step);

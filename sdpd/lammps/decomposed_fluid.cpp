@@ -20,7 +20,10 @@ void add_to_forces(RankParticles const& particles, std::vector<Row> const& sums)
 
 DecomposedFluid::DecomposedFluid(SimulationSettings const& settings)
     : parts_(parts_of(settings)), range_(settings.range()), skin_(skin_of(settings)), dt_(settings.dt),
-      fluctuate_every_(settings.scheme.verlet_steps), seed_(settings.seed) {}
+      fluctuate_every_(settings.scheme.verlet_steps), seed_(settings.seed) {
+  if (settings.scheme.pairs == "ssa")
+    blocks_.emplace(box_of(settings), range_);
+}
 
 void DecomposedFluid::kick(RankParticles const& particles) const {
   for (std::size_t k = 0; k < 3 * particles.owned; ++k)
@@ -45,7 +48,7 @@ void DecomposedFluid::add_forces(RankParticles const& particles, GhostExchange& 
     rows_[i] = Row{particles.q[3 * i], particles.q[3 * i + 1], particles.q[3 * i + 2], 0};
   pairs_.find(particles, rows_, range_);
   if (has_energies())
-    take_in(particles);
+    take_in(particles, step);
   if (has_densities()) {
     find_densities(particles, ghosts);
     renew_thermodynamics(particles.owned, given_, step);
@@ -111,7 +114,7 @@ void DecomposedFluid::add_pressure_forces(RankParticles const& particles, GhostE
 }
 
 /// The own particles as the thermodynamics want them.
-void DecomposedFluid::take_in(RankParticles const& particles) {
+void DecomposedFluid::take_in(RankParticles const& particles, std::uint64_t step) {
   std::size_t const n = particles.owned;
   own_.resize(n, {.energies = true, .densities = has_densities()});
   for (std::size_t i = 0; i < n; ++i) {
@@ -119,6 +122,11 @@ void DecomposedFluid::take_in(RankParticles const& particles) {
     if (has_densities())
       own_.S[i] = carried[i].S;
   }
+  if (has_densities())
+    return;
+  Failure failure; // their temperatures do not depend on their places
+  parts_.thermodynamics->response(own_, {0, n}, failure);
+  stop_at(failure, step);
 }
 
 void DecomposedFluid::renew_thermodynamics(std::size_t owned, Given given, std::uint64_t step) {

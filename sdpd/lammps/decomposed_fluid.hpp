@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/fluctuation/pair_lanes.hpp"
+#include "sdpd/lammps/block_sweep.hpp"
 #include "sdpd/lammps/rank_pairs.hpp"
 #include "sdpd/method/parts.hpp"
 #include "sdpd/method/settings.hpp"
@@ -8,8 +9,9 @@ namespace mesobridge::sdpd {
 
 /// The physics of one rank's part of a fluid of one species, by the laws of the built-in engine: velocity
 /// Verlet (sdpd/README.md, Eq. (S28)) with forces of a pair potential or of pressures (S9), and the explicit
-/// step of all pairs at once (S25). Pairs are worked on eight at a time in double precision, noise is that of
-/// (seed, step, ids): results depend on the ranks by round-off alone. Reduced units.
+/// step of all pairs at once (S25) or one pair after the other (S98). Pairs are worked on eight at a time in
+/// double precision, noise is that of (seed, step, ids): results depend on the ranks by round-off alone.
+/// Reduced units.
 class DecomposedFluid {
  public:
   /// Of each particle what travels with it beside position and velocity.
@@ -24,6 +26,8 @@ class DecomposedFluid {
   bool has_densities() const { return std::holds_alternative<SdpdLaw>(parts_.law); }
   double range() const { return range_; }
   double skin() const { return skin_; }
+  /// How far from its part of the box a rank has to see particles, with the skin.
+  double reach() const { return (blocks_ ? std::max(range_, blocks_->reach()) : range_) + skin_; }
   double dt() const { return dt_; }
 
   /// In the order of RankParticles; whoever moves particles in memory or to other ranks moves these.
@@ -56,9 +60,12 @@ class DecomposedFluid {
   template <class Law, class F>
   void for_each_change(Law const& law, RankParticles const& particles, std::uint64_t step, F const& f) const;
   template <class Law>
+  void step_in_turn(Law const& law, RankParticles const& particles, GhostExchange& ghosts,
+                    std::uint64_t step);
+  template <class Law>
   void find_heat(std::size_t all, GhostExchange& ghosts);
   void add_heat(RankParticles const& particles, std::uint64_t step);
-  void take_in(RankParticles const& particles);
+  void take_in(RankParticles const& particles, std::uint64_t step);
   void stop_at(Failure const& failure, std::uint64_t step) const;
 
   MethodParts parts_;
@@ -74,7 +81,8 @@ class DecomposedFluid {
   std::vector<VectorLanes<Lanes>> changes_; ///< of the pairs' momenta, kept: they cost more than their memory
   std::vector<Row> mean_;                   ///< velocities, of start and end
   std::vector<double> heat_;
-  Particles own_; ///< for the thermodynamics
+  std::optional<BlockSweep> blocks_; ///< where pairs are stepped one after the other
+  Particles own_;                    ///< for the thermodynamics
 };
 
 } // namespace mesobridge::sdpd

@@ -83,6 +83,7 @@ struct LammpsEngine::Inside {
     session.command("mass 1 1");
     session.command("timestep {}", settings.dt);
     session.command("neighbor {} bin", fluid->skin());
+    session.command("comm_modify cutoff {}", fluid->reach());
     session.command("neigh_modify every 1 delay 0 check yes one 20000 page 400000");
     styles.emplace(session, *fluid);
     session.command("thermo_style custom step");

@@ -1,4 +1,5 @@
 #pragma once
+#include "sdpd/friction/bath.hpp"
 #include "sdpd/lammps/rank_particles.hpp"
 #include "sdpd/simd/wide_lanes.hpp"
 #include <span>
@@ -58,6 +59,12 @@ struct EightPairs {
   /// Whether they are all of one first particle.
   bool of_one() const { return are_one(i) && count == lane_count; }
 };
+
+/// A distance beside the range may round past it, where some kernels are below zero.
+[[gnu::always_inline]] inline PairWeights<Lanes> not_negative(PairWeights<Lanes> const& weight) {
+  Lanes const zero{};
+  return {weight.par < zero ? zero : weight.par, weight.perp < zero ? zero : weight.perp};
+}
 
 /// Calls f(eight pairs) for all of them.
 template <class F>

@@ -19,6 +19,7 @@ struct RankParticles {
     int const* const* neighbours;
     int mask; ///< the bits of a neighbour that are its number
   } list;
+  double const *low, *high; ///< corners of this rank's part of the box
 
   std::uint32_t id(std::size_t i) const { return static_cast<std::uint32_t>(ids[i]) - 1; }
 };

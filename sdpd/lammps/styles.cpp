@@ -13,6 +13,7 @@ auto make_args_checked(Format const&, std::remove_reference_t<Args>&... args) {
 
 #include <lammps/atom.h>
 #include <lammps/comm.h>
+#include <lammps/domain.h>
 #include <lammps/fix.h>
 #include <lammps/force.h>
 #include <lammps/lammps.h>
@@ -44,7 +45,9 @@ RankParticles particles_of(LAMMPS_NS::LAMMPS const& lammps) {
                           rows(atom.v),
                           rows(atom.f),
                           atom.tag,
-                          {}};
+                          {},
+                          lammps.domain->sublo,
+                          lammps.domain->subhi};
   if (auto const* const list = lammps.force->pair->list)
     particles.list = {static_cast<std::size_t>(list->inum), list->ilist, list->numneigh, list->firstneigh,
                       NEIGHMASK};
@@ -83,7 +86,7 @@ class FluidPair final : public LAMMPS_NS::Pair {
 class FluidFix final : public LAMMPS_NS::Fix, public GhostExchange {
  public:
   FluidFix(LAMMPS_NS::LAMMPS* lammps, int count, char** words) : Fix(lammps, count, words) {
-    constexpr int most_numbers = 6;
+    constexpr int most_numbers = 8;
     comm_forward = comm_reverse = most_numbers;
     time_integrate = 1;
     maxexchange = 3;

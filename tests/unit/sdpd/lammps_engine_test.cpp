@@ -96,15 +96,73 @@ TEST(LammpsEngine, GoesTheWayOfTheBuiltInEngine) {
 TEST(LammpsEngine, KeepsMomentumAndEnergyAcrossTheFacesOfTheBox) {
   tests::ScratchDirectory const scratch;
   md::MpiWorld const world;
-  auto settings = with_ser(dpde_ideal(60, 0.005, 1)); // no forces: the step of friction and noise alone
-  Simulation simulation(settings);
+  for (auto const* const scheme : {"ser", "ssa"}) {
+    auto settings = with_ser(dpde_ideal(60, 0.005, 1)); // no forces: the step of friction and noise alone
+    settings.scheme.pairs = scheme;
+    Simulation simulation(settings);
+    LammpsEngine engine(world, settings, scratch / "lammps.log");
+    auto const before = simulation.observe();
+    engine.advance(simulation, 200);
+    auto const after = simulation.observe();
+    EXPECT_NEAR(after.energy(), before.energy(), 1e-12 * before.energy() * 200) << scheme;
+    EXPECT_LT(norm(after.momentum - before.momentum), 1e-10) << scheme;
+    EXPECT_GT(std::abs(after.kinetic - before.kinetic), 1e-4 * before.kinetic) << scheme;
+  }
+}
+
+/// The share of the particles whose momenta agree to single precision after a step of SSA by either engine.
+double share_alike(SimulationSettings const& settings) {
+  tests::ScratchDirectory const scratch;
+  md::MpiWorld const world;
+  Simulation built_in(settings), inside(settings);
   LammpsEngine engine(world, settings, scratch / "lammps.log");
-  auto const before = simulation.observe();
-  engine.advance(simulation, 200);
-  auto const after = simulation.observe();
-  EXPECT_NEAR(after.energy(), before.energy(), 1e-12 * before.energy() * 200);
-  EXPECT_LT(norm(after.momentum - before.momentum), 1e-10);
-  EXPECT_GT(std::abs(after.kinetic - before.kinetic), 1e-3 * before.kinetic);
+  auto const begin = built_in.snapshot();
+  built_in.advance(1), engine.advance(inside, 1);
+  auto const one = built_in.snapshot(), other = inside.snapshot();
+  double stepped = 0, alike = 0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (norm(one.p[i] - begin.p[i]) > 1e-3) {
+      ++stepped;
+      alike += norm(one.p[i] - other.p[i]) < 1e-5 &&
+               (one.eps.empty() || std::abs(one.eps[i] - other.eps[i]) < 1e-4);
+    }
+  EXPECT_GT(stepped, 100);
+  return alike / stepped;
+}
+
+/// Engines step pairs in orders of their own, which tells where pairs share a particle: seldom in a rare gas,
+/// where half of the particles have no neighbour.
+TEST(LammpsEngine, StepsPairsInTurnAsTheBuiltInEngineDoes) {
+  auto gas = dpde_ideal(60, 0.01, 2);
+  gas.rho = 0.1, gas.lattice = {16, 16, 16}, gas.disorder = 0.4;
+  EXPECT_GT(share_alike(gas), 0.8);
+  auto cold = dpd_fluid();
+  cold.as<Dpd>().potential = NoPotential{};
+  cold.rho = 0.1, cold.lattice = {16, 16, 16}, cold.disorder = 0.4;
+  EXPECT_GT(share_alike(cold), 0.8);
+}
+
+/// In short steps the order tells less and less: all at once and in turn come to the same.
+TEST(LammpsEngine, StepsPairsOfSdpdInTurnAsAllAtOnceInShortSteps) {
+  tests::ScratchDirectory const scratch;
+  md::MpiWorld const world;
+  double before = 1;
+  for (double const dt : {1e-2, 1e-4, 1e-6}) {
+    auto settings = with_ser(argon(100, dt));
+    settings.dt = dt, settings.lattice = {11, 11, 11}, settings.disorder = 0.1;
+    auto in_turn = settings;
+    in_turn.scheme.pairs = "ssa";
+    Simulation start(settings), all_at_once(settings), one_by_one(settings);
+    LammpsEngine first(world, settings, scratch / "first.log"),
+        second(world, in_turn, scratch / "second.log");
+    first.advance(all_at_once, 1), second.advance(one_by_one, 1);
+    auto const difference = apart(all_at_once, one_by_one), change = apart(start, all_at_once);
+    double const share = std::max(difference.p / change.p, difference.eps / change.eps);
+    EXPECT_GT(share, 1e-9);
+    EXPECT_LT(share, before / 3) << dt;
+    before = share;
+  }
+  EXPECT_LT(before, 0.01);
 }
 
 /// What SDPD loses of its energy is the forces' error, which the built-in engine has as well: friction and
@@ -158,17 +216,23 @@ TEST(LammpsEngine, NamesWhatItCannotRun) {
     return found.empty() ? std::string() : found.front();
   };
   EXPECT_EQ(refused(with_ser(dpd_fluid())), "");
-  EXPECT_NE(refused(dpd_fluid()).find("scheme.name"), std::string::npos);
+  EXPECT_EQ(refused(dpd_fluid()), ""); // one pair after the other
+  auto narrow = dpd_fluid();
+  narrow.lattice = {5, 5, 5};
+  EXPECT_NE(refused(narrow).find("scheme.name = ssa"), std::string::npos);
+  auto metropolis = dpde_fluid(60);
+  metropolis.scheme.pairs = "ems";
+  EXPECT_NE(refused(metropolis).find("scheme.name"), std::string::npos);
   EXPECT_EQ(refused(with_ser(argon(100, 0.01))), "");
   EXPECT_NE(refused(with_ser(burning_nitromethane(100, 0.01))).find("reaction"), std::string::npos);
-  EXPECT_EQ(lammps_refusals(burning_nitromethane(100, 0.01)).size(), 2u); // the scheme, too
+  EXPECT_EQ(lammps_refusals(burning_nitromethane(100, 0.01)).size(), 1u);
   auto conducting = with_ser(with_pair_conduction(dpde_fluid(60), PowerFriction(1, 0, 1, 2)));
   EXPECT_NE(refused(conducting).find("conduction"), std::string::npos);
   EXPECT_NE(refused(with_conduction(with_ser(argon(100, 0.01)), 1)).find("conduction"), std::string::npos);
   auto strang = with_ser(dpd_fluid());
   strang.scheme.splitting = Splitting::strang;
   EXPECT_NE(refused(strang).find("splitting"), std::string::npos);
-  EXPECT_THROW(refuse_for_lammps(dpd_fluid()), InputError);
+  EXPECT_THROW(refuse_for_lammps(metropolis), InputError);
 }
 
 } // namespace
