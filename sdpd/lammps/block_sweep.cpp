@@ -3,6 +3,7 @@
 #include "sdpd/lammps/rank_pairs.hpp"
 #include <algorithm>
 #include <bit>
+#include <fmt/format.h>
 #include <ranges>
 
 namespace mesobridge::sdpd {
@@ -84,6 +85,13 @@ Bath<Lanes> BlockSweep::bath_of(Law const& law, Inputs const& in, ParticleLanes 
             in.parts.thermodynamics->state(seen_, place, fixed_[fixed_stride * place + energy] + of.u[l]);
         found.T[l] = exact.T, found.inverse_C[l] = exact.inverse_C;
       }
+      for (std::size_t l = 0; l < lane_count; ++l)
+        if (!(found.T[l] > 0))
+          throw PhysicsError(
+              fmt::format("what it exchanged with its neighbours took its internal energy to {:.6g} (in K "
+                          "k_B T), where its temperature is not positive; take a shorter time step or "
+                          "larger particles",
+                          fixed_[fixed_stride * block_[who[l]].place + energy] + of.u[l]));
       return found;
     };
     ThermalLanes const of_a = thermal(a, i), of_b = thermal(b, j);
