@@ -78,26 +78,25 @@ std::array<std::vector<std::uint32_t>, 3> BlockSweep::own_blocks(RankParticles c
   return blocks;
 }
 
-/// The block's particles, with positions from its first one's, and their states.
-void BlockSweep::copy_in(RankParticles const& particles, Cell const& base) {
-  block_.clear();
+/// One more block's particles, with positions from its first one's, and their states; then its pairs.
+void BlockSweep::add_block(RankParticles const& particles, Cell const& base) {
+  std::size_t const begin = block_.size();
   for (unsigned k = 0; k < 8; ++k) {
     cells_[k] = block_.size();
     auto const here = members({(base[0] + (k & 1u)) % count_[0], (base[1] + (k >> 1u & 1u)) % count_[1],
                                (base[2] + (k >> 2u)) % count_[2]});
     block_.insert(block_.end(), here.begin(), here.end());
   }
-  std::size_t const n = block_.size();
-  cells_[8] = n;
+  std::size_t const end = cells_[8] = block_.size();
   auto const place = [&](Member const& of) {
     double const* const q = particles.q + 3 * std::size_t{of.place};
     return Vec3{q[0], q[1], q[2]};
   };
-  rows_.resize(n + 2), states_.resize(n + 2);
+  rows_.resize(end), states_.resize(end);
   for (auto& along : places_)
-    along.resize(n + lane_count);
-  for (std::size_t k = 0; k < n; ++k) {
-    Vec3 const at = box_.minimum_image(place(block_[k]) - place(block_[0]));
+    along.resize(end + lane_count);
+  for (std::size_t k = begin; k < end; ++k) {
+    Vec3 const at = box_.minimum_image(place(block_[k]) - place(block_[begin]));
     double const* const fixed = &fixed_[fixed_stride * block_[k].place];
     rows_[k] = Row{at.x, at.y, at.z, 1 / fixed[density]};
     places_[0][k] = at.x, places_[1][k] = at.y, places_[2][k] = at.z;
@@ -106,8 +105,8 @@ void BlockSweep::copy_in(RankParticles const& particles, Cell const& base) {
                   state[3],
                   {fixed[T_0], fixed[inverse_C_0], fixed[curvature], fixed[limit]}};
   }
-  rows_[n] = Row{}, rows_[n + 1] = Row{range_ / 2, 0, 0, 0};
-  states_[n] = states_[n + 1] = {{}, 0, {.T_0 = 1, .inverse_C_0 = 1, .curvature = 0, .limit = 1}};
+  for (auto const& [one, other] : cell_pairs)
+    add_pairs(one, other);
 }
 
 /// Those of two cells' particles that are in range.
@@ -130,10 +129,11 @@ void BlockSweep::add_pairs(unsigned one, unsigned other) {
   }
 }
 
-void BlockSweep::find_pairs() {
-  pairs_.clear();
-  for (auto const& [one, other] : cell_pairs)
-    add_pairs(one, other);
+/// Phantoms for what pairs leave over, and the pairs of all blocks in matchings.
+void BlockSweep::finish_blocks() {
+  rows_.push_back(Row{}), rows_.push_back(Row{range_ / 2, 0, 0, 0});
+  FluctuatingParticle const phantom{{}, 0, {.T_0 = 1, .inverse_C_0 = 1, .curvature = 0, .limit = 1}};
+  states_.push_back(phantom), states_.push_back(phantom);
   order_in_matchings(pairs_, block_.size(), ordered_, ends_);
 }
 

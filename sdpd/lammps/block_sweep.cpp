@@ -145,11 +145,20 @@ void BlockSweep::step_pairs(Law const& law, Inputs const& in, Failure& failure) 
 }
 
 template <class Law>
+void BlockSweep::step_blocks(Law const& law, Inputs const& in, Failure& failure) {
+  finish_blocks();
+  draw_noise(law, in);
+  step_pairs(law, in, failure);
+  block_.clear(), rows_.clear(), states_.clear(), pairs_.clear();
+}
+
+template <class Law>
 std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failure& failure) {
   begin<Law>(in);
   sort_into_cells(in.particles);
   auto const blocks = own_blocks(in.particles);
   constexpr int width = Law::has_energies ? 4 : 3;
+  constexpr std::size_t enough = 500; // particles: their copies stay in the cache
   auto rows = [](std::vector<Row>& of) {
     return TravellingRows{reinterpret_cast<double*>(of.data()), 4, width};
   };
@@ -163,11 +172,11 @@ std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failur
     for (auto const z : turn(2))
       for (auto const y : turn(1))
         for (auto const x : turn(0)) {
-          copy_in(in.particles, {x, y, z});
-          find_pairs();
-          draw_noise(law, in);
-          step_pairs(law, in, failure);
+          add_block(in.particles, {x, y, z});
+          if (block_.size() > enough)
+            step_blocks(law, in, failure);
         }
+    step_blocks(law, in, failure);
     for (std::size_t i = 0; i < in.particles.all; ++i)
       before_[i] = i < in.particles.owned ? state_[i] : state_[i] - before_[i];
     in.ghosts.reverse(rows(before_));

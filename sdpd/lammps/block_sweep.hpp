@@ -49,8 +49,10 @@ class BlockSweep {
   void sort_into_cells(RankParticles const& particles);
   std::array<std::vector<std::uint32_t>, 3> own_blocks(RankParticles const& particles) const;
   std::span<Member const> members(Cell const& at) const;
-  void copy_in(RankParticles const& particles, Cell const& base);
-  void find_pairs();
+  void add_block(RankParticles const& particles, Cell const& base);
+  void finish_blocks();
+  template <class Law>
+  void step_blocks(Law const& law, Inputs const& in, Failure& failure);
   void add_pairs(unsigned one, unsigned other);
   template <class Law>
   void draw_noise(Law const& law, Inputs const& in);
@@ -69,9 +71,10 @@ class BlockSweep {
   std::vector<double> fixed_; ///< rows of Fixed, which a sweep leaves as they are
   Particles seen_;            ///< rho of all, where an expansion does not reach
   std::vector<Member> members_;
-  // Of the block under way: its particles, cell by cell, and two phantoms; its pairs in matchings.
+  // Of some blocks of a phase, so that matchings fill their lanes: particles, cell by cell, and two phantoms;
+  // pairs in matchings. Blocks share no particle, so each one's matchings are what they are alone.
   std::vector<Member> block_;
-  std::array<std::size_t, 9> cells_;          ///< where each of its cells begins
+  std::array<std::size_t, 9> cells_;          ///< where each cell of the last block begins
   std::vector<Row> rows_;                     ///< positions and 1/rho
   std::array<std::vector<double>, 3> places_; ///< the positions once more
   std::vector<FluctuatingParticle> states_;
