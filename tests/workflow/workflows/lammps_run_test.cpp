@@ -24,7 +24,8 @@ ShortScene dpde() {
 /// Argon, whose constants of the densities have to be found first.
 ShortScene argon() {
   return {"sdpd-ranks",
-          {"particles.N=512", "particles.density=calibrated", "particles.calibration_steps=200"}};
+          {"particles.N=512", "scheme.name=ser", "scheme.dt=0.01", "particles.density=calibrated",
+           "particles.calibration_steps=200"}};
 }
 
 Words words(std::string const& engine, int ranks, std::filesystem::path const& directory,
