@@ -1,6 +1,5 @@
 #include "sdpd/lammps/block_sweep.hpp"
 #include "sdpd/lammps/pair_noise.hpp"
-#include "sdpd/lammps/rank_pairs.hpp"
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>
@@ -22,11 +21,6 @@ Bath<Lanes>::Directions steps_of(Law const& law, Bath<Lanes> const& bath, PairWe
   }
   return steps;
 }
-
-/// Temperatures and 1/C of eight particles.
-struct ThermalLanes {
-  Lanes T, inverse_C;
-};
 
 } // namespace
 
@@ -70,31 +64,39 @@ void BlockSweep::draw_noise(Law const&, Inputs const& in) {
 }
 
 /// Where a particle's expansion does not reach, temperatures are found exactly, so that they depend on its
-/// state alone. Throws PhysicsError.
+/// state alone. What has none is reported.
+BlockSweep::ThermalLanes BlockSweep::thermal(Inputs const& in, ParticleLanes const& of,
+                                             std::uint32_t const* who, Failure& failure) const {
+  ThermalLanes found{of.caloric.T(of.u), of.caloric.inverse_C(of.u)};
+  auto const report = [&](std::size_t l, std::string_view why) {
+    auto const& member = block_[who[l]];
+    failure.report(member.id,
+                   fmt::format("what it exchanged with its neighbours took its internal energy to {:.6g} "
+                               "(in K k_B T): {}; take a shorter time step or larger particles",
+                               fixed_[fixed_stride * member.place + energy] + of.u[l], why));
+    found.T[l] = 1;
+  };
+  for (unsigned out = ~of.caloric.in_reach(found.T) & 0xffu; out != 0; out &= out - 1) {
+    auto const l = static_cast<std::size_t>(std::countr_zero(out));
+    auto const place = block_[who[l]].place;
+    try {
+      auto const exact =
+          in.parts.thermodynamics->state(seen_, place, fixed_[fixed_stride * place + energy] + of.u[l]);
+      found.T[l] = exact.T, found.inverse_C[l] = exact.inverse_C;
+    } catch (PhysicsError const& error) {
+      report(l, error.what());
+    }
+  }
+  for (unsigned cold = ~less(Lanes{}, found.T) & 0xffu; cold != 0; cold &= cold - 1)
+    report(static_cast<std::size_t>(std::countr_zero(cold)), "its temperature is not positive there");
+  return found;
+}
+
 template <class Law>
 Bath<Lanes> BlockSweep::bath_of(Law const& law, Inputs const& in, ParticleLanes const& a,
-                                ParticleLanes const& b, std::array<std::uint32_t, lane_count> const& i,
-                                std::array<std::uint32_t, lane_count> const& j) const {
+                                ParticleLanes const& b, EightPairs const& at, Failure& failure) const {
   if constexpr (Law::has_energies) {
-    auto const thermal = [&](ParticleLanes const& of, std::array<std::uint32_t, lane_count> const& who) {
-      ThermalLanes found{of.caloric.T(of.u), of.caloric.inverse_C(of.u)};
-      for (unsigned out = ~of.caloric.in_reach(found.T) & 0xffu; out != 0; out &= out - 1) {
-        auto const l = static_cast<std::size_t>(std::countr_zero(out));
-        auto const place = block_[who[l]].place;
-        auto const exact =
-            in.parts.thermodynamics->state(seen_, place, fixed_[fixed_stride * place + energy] + of.u[l]);
-        found.T[l] = exact.T, found.inverse_C[l] = exact.inverse_C;
-      }
-      for (std::size_t l = 0; l < lane_count; ++l)
-        if (!(found.T[l] > 0))
-          throw PhysicsError(
-              fmt::format("what it exchanged with its neighbours took its internal energy to {:.6g} (in K "
-                          "k_B T), where its temperature is not positive; take a shorter time step or "
-                          "larger particles",
-                          fixed_[fixed_stride * block_[who[l]].place + energy] + of.u[l]));
-      return found;
-    };
-    ThermalLanes const of_a = thermal(a, i), of_b = thermal(b, j);
+    ThermalLanes const of_a = thermal(in, a, at.i, failure), of_b = thermal(in, b, at.j, failure);
     return law.template bath<Lanes>({of_a.T, of_b.T, of_a.inverse_C, of_b.inverse_C});
   } else {
     return law.template bath<Lanes>();
@@ -121,13 +123,8 @@ void BlockSweep::step_pairs(Law const& law, Inputs const& in, Failure& failure) 
         InputLanes<Law::across, Lanes> const input(
             weight, {at.x * at.inverse_r, at.y * at.inverse_r, at.z * at.inverse_r}, {G(0), G(1), G(2)});
         VectorLanes<Lanes> const v{a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z};
-        VectorLanes<Lanes> dv;
-        try {
-          dv = velocity_change(steps_of(law, bath_of(law, in, a, b, i, j), weight, in.time), input, v);
-        } catch (PhysicsError const& error) {
-          failure.report(in.particles.id(block_[i[0]].place), error.what());
-          return;
-        }
+        auto const bath = bath_of(law, in, a, b, at, failure);
+        auto const dv = velocity_change(steps_of(law, bath, weight, in.time), input, v);
         Lanes const heat =
             -0.125 * dot(dv, VectorLanes<Lanes>{2.0 * v.x + dv.x, 2.0 * v.y + dv.y, 2.0 * v.z + dv.z});
         auto const changes = to_rows({0.5 * dv.x, 0.5 * dv.y, 0.5 * dv.z, heat});

@@ -2,7 +2,7 @@
 #include "md/box.hpp"
 #include "sdpd/fluctuation/fluctuating_block.hpp"
 #include "sdpd/fluctuation/pair_lanes.hpp"
-#include "sdpd/lammps/rank_particles.hpp"
+#include "sdpd/lammps/rank_pairs.hpp"
 #include "sdpd/method/parts.hpp"
 #include "sdpd/simd/lanes.hpp"
 
@@ -58,10 +58,15 @@ class BlockSweep {
   void draw_noise(Law const& law, Inputs const& in);
   template <class Law>
   void step_pairs(Law const& law, Inputs const& in, Failure& failure);
+  /// Temperatures and 1/C of eight particles.
+  struct ThermalLanes {
+    Lanes T, inverse_C;
+  };
+  ThermalLanes thermal(Inputs const& in, ParticleLanes const& of, std::uint32_t const* who,
+                       Failure& failure) const;
   template <class Law>
   Bath<Lanes> bath_of(Law const& law, Inputs const& in, ParticleLanes const& a, ParticleLanes const& b,
-                      std::array<std::uint32_t, lane_count> const& i,
-                      std::array<std::uint32_t, lane_count> const& j) const;
+                      EightPairs const& at, Failure& failure) const;
 
   Box box_;
   double range_;

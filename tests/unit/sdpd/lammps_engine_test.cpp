@@ -142,6 +142,22 @@ TEST(LammpsEngine, StepsPairsInTurnAsTheBuiltInEngineDoes) {
   EXPECT_GT(share_alike(cold), 0.8);
 }
 
+TEST(LammpsEngine, EndsWhereAStepInTurnLeavesNoTemperature) {
+  tests::ScratchDirectory const scratch;
+  md::MpiWorld const world;
+  auto const settings = dpde_ideal(2, 0.5, 1); // steps too long for particles so small
+  Simulation simulation(settings);
+  LammpsEngine engine(world, settings, scratch / "lammps.log");
+  try {
+    engine.advance(simulation, 100);
+    FAIL() << "energies below zero were taken";
+  } catch (PhysicsError const& error) {
+    std::string const what = error.what();
+    EXPECT_NE(what.find("particle "), std::string::npos) << what;
+    EXPECT_NE(what.find("its temperature is not positive there"), std::string::npos) << what;
+  }
+}
+
 /// In short steps the order tells less and less: all at once and in turn come to the same.
 TEST(LammpsEngine, StepsPairsOfSdpdInTurnAsAllAtOnceInShortSteps) {
   tests::ScratchDirectory const scratch;
