@@ -183,14 +183,19 @@ void DecomposedFluid::step_in_turn(Law const& law, RankParticles const& particle
   }
 }
 
-/// The energies, and the temperatures that belong to them.
+/// The energies, and the temperatures that belong to them, which are looked for from those of the expansions.
 void DecomposedFluid::add_heat(RankParticles const& particles, std::uint64_t step) {
-  std::size_t const n = particles.owned;
   Failure failure;
-  for (std::size_t i = 0; i < n; ++i)
-    gain_of_ser(own_, i, heat_[i], failure);
+  for (std::size_t i = 0; i < particles.owned; ++i)
+    if (!blocks_) {
+      gain_of_ser(own_, i, heat_[i], failure);
+    } else {
+      own_.eps[i] += heat_[i];
+      if (double const T = own_.caloric[i].T(heat_[i]); T > 0 && own_.caloric[i].in_reach(heat_[i]))
+        own_.T[i] = T;
+    }
   stop_at(failure, step);
-  renew_thermodynamics(n, Given::energies, step);
+  renew_thermodynamics(particles.owned, Given::energies, step);
 }
 
 } // namespace mesobridge::sdpd
