@@ -28,6 +28,12 @@ ShortScene argon() {
            "particles.calibration_steps=200"}};
 }
 
+/// With SSA, and N particles.
+ShortScene pairs_in_turn(ShortScene of, char const* N) {
+  of.settings.insert(of.settings.end(), {"scheme.name=ssa", std::string("particles.N=") + N});
+  return of;
+}
+
 Words words(std::string const& engine, int ranks, std::filesystem::path const& directory,
             Words const& more = {}, ShortScene const& of = dpde()) {
   Words all{"run",        MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + of.scene + ".toml",
@@ -96,10 +102,6 @@ TEST(LammpsRun, AgreesInSdpdWithTheConstantsThatTheFirstRankFinds) {
 
 TEST(LammpsRun, StepsPairsInTurnInOneOrderOnAllRanks) {
   ScratchDirectory const scratch;
-  auto pairs_in_turn = [](ShortScene of, char const* N) {
-    of.settings.insert(of.settings.end(), {"scheme.name=ssa", std::string("particles.N=") + N});
-    return of;
-  };
   expect_agreement_of_ranks(pairs_in_turn(dpde(), "512"), {"thermodynamics", "particles/eps"},
                             scratch / "dpde");
   auto gas = pairs_in_turn(argon(), "1000");
@@ -110,15 +112,17 @@ TEST(LammpsRun, StepsPairsInTurnInOneOrderOnAllRanks) {
 TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
   ScratchDirectory const scratch;
   Words const longer{"--set", "run.steps=128"};
-  for (auto const& of : {dpde(), argon()}) {
-    auto const whole_directory = scratch / (of.scene + "-whole"), parts = scratch / (of.scene + "-parts");
+  int number = 0;
+  for (auto const& of : {dpde(), argon(), pairs_in_turn(dpde(), "512")}) {
+    auto const whole_directory = scratch / fmt::format("{}-whole", ++number),
+               parts = scratch / fmt::format("{}-parts", number);
     auto const whole = tests::program(words("lammps", 2, whole_directory, longer, of));
     ASSERT_EQ(whole.status, 0) << whole.errors;
     auto const first = tests::program(words("lammps", 2, parts, {}, of));
     ASSERT_EQ(first.status, 0) << first.errors;
     auto const rest = tests::program(words("lammps", 1, parts, {"--set", "run.steps=128", "--resume"}, of));
     ASSERT_EQ(rest.status, 0) << rest.errors;
-    EXPECT_LT(apart(whole_directory, parts, "thermodynamics"), 1e-10) << of.scene;
+    EXPECT_LT(apart(whole_directory, parts, "thermodynamics"), 1e-10) << number;
   }
 }
 
