@@ -98,8 +98,8 @@ void add_heat(System& system, std::size_t number, Sweep<Law> const& sweep) {
           VectorLanes<Lanes> const& change) {
         for (std::size_t l = 0; l < count; ++l) {
           Vec3 const of_others = scale_of(masses, pair[l]).velocity(total[pair[l].i], total[pair[l].j]);
-          double const given =
-              ser_heat({change.x[l], change.y[l], change.z[l]}, {v.x[l], v.y[l], v.z[l]}, of_others);
+          double const given = ser_heat(Vec3{change.x[l], change.y[l], change.z[l]},
+                                        Vec3{v.x[l], v.y[l], v.z[l]} + 0.5 * of_others);
           heat[pair[l].i] += given, heat[pair[l].j] += given;
         }
       });

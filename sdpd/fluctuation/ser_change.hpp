@@ -28,9 +28,9 @@ template <class Law, class X>
 }
 
 /// The heat of each of a pair's particles, -(1/2) dp_ij (v_ij + dv_ij/2), with dv_ij what all pairs together
-/// change v_ij by: so the energy is conserved exactly, whatever the other pairs do.
-inline double ser_heat(Vec3 const& change, Vec3 const& v, Vec3 const& change_of_v) {
-  Vec3 const mean = v + 0.5 * change_of_v;
+/// change v_ij by; `mean` is the bracket. So the energy is conserved exactly, whatever the other pairs do.
+template <class Vector>
+[[gnu::always_inline]] inline auto ser_heat(Vector const& change, Vector const& mean) {
   return -0.5 * dot(change, mean);
 }
 

@@ -5,7 +5,31 @@
 namespace mesobridge::sdpd {
 namespace {
 
-using Row = std::array<double, LammpsStyles::numbers_per_particle>;
+/// What the first rank tells the others: steps to make, 0 at the end; where the run is, and the constants of
+/// the densities.
+struct Order {
+  std::uint64_t steps = 0, first = 0;
+  DensityCorrection constants = {};
+
+  std::array<double, 4> numbers() const {
+    return {static_cast<double>(steps), static_cast<double>(first), constants.scale, constants.self};
+  }
+  static Order of(std::vector<double> const& numbers) {
+    return {.steps = static_cast<std::uint64_t>(numbers.at(0)),
+            .first = static_cast<std::uint64_t>(numbers.at(1)),
+            .constants = {.scale = numbers.at(2), .self = numbers.at(3)}};
+  }
+};
+
+DensityCorrection constants_of(SimulationSettings const& settings) {
+  auto const* const sdpd = std::get_if<Sdpd>(&settings.method);
+  return sdpd ? sdpd->density_correction : DensityCorrection{};
+}
+
+void set_constants(SimulationSettings& settings, DensityCorrection const& constants) {
+  if (auto* const sdpd = std::get_if<Sdpd>(&settings.method))
+    sdpd->density_correction = constants;
+}
 
 /// All of the particles as rows, as LammpsStyles::own_rows() gives those of a rank.
 std::vector<double> rows_of(Particles const& particles) {
@@ -41,13 +65,14 @@ Particles particles_of(std::vector<double> const& rows, Features const& features
 struct LammpsEngine::Inside {
   md::MpiWorld const& world;
   SimulationSettings settings;
-  DecomposedFluid fluid;
   std::filesystem::path log_file;
-  std::optional<md::LammpsSession> lammps; ///< from the first step on: until then the ranks wait without load
-  std::optional<LammpsStyles> styles;
+  std::optional<DecomposedFluid> fluid = {};    ///< these three from the first step on
+  std::optional<md::LammpsSession> lammps = {}; ///< until then the ranks wait without load
+  std::optional<LammpsStyles> styles = {};
 
   /// A box with the styles and without atoms.
   void prepare() {
+    fluid.emplace(settings);
     auto& session = lammps.emplace(world, md::Ranks::all, log_file);
     Vec3 const edge = box_of(settings).edge;
     for (auto const* const command :
@@ -57,18 +82,20 @@ struct LammpsEngine::Inside {
     session.command("create_box 1 box");
     session.command("mass 1 1");
     session.command("timestep {}", settings.dt);
-    session.command("neighbor {} bin", fluid.skin());
+    session.command("neighbor {} bin", fluid->skin());
+    session.command("comm_modify cutoff {}", fluid->reach());
     session.command("neigh_modify every 1 delay 0 check yes one 20000 page 400000");
-    styles.emplace(session, fluid);
+    styles.emplace(session, *fluid);
     session.command("thermo_style custom step");
     session.command("thermo 0");
   }
 
   /// The particles, which the first rank has, and the forces on them.
-  void begin(std::uint64_t step, std::vector<double> const& rows) {
+  void begin(Order const& order, std::vector<double> const& rows) {
+    set_constants(settings, order.constants);
     prepare();
     styles->create(particles_of(world.root_gives(rows), settings.features()));
-    lammps->command("reset_timestep {}", step);
+    lammps->command("reset_timestep {}", order.first);
     lammps->command("run 0 post no");
   }
 
@@ -81,21 +108,24 @@ struct LammpsEngine::Inside {
 LammpsEngine::LammpsEngine(md::MpiWorld const& world, SimulationSettings const& settings,
                            std::filesystem::path const& log_file) {
   refuse_for_lammps(settings);
-  inside_ = std::unique_ptr<Inside>(
-      new Inside{world, settings, DecomposedFluid(settings), log_file, std::nullopt, std::nullopt});
+  inside_ = std::unique_ptr<Inside>(new Inside{.world = world, .settings = settings, .log_file = log_file});
 }
 
 LammpsEngine::~LammpsEngine() {
   if (inside_ && inside_->world.is_root())
-    inside_->world.root_gives(std::array{0.0, 0.0});
+    inside_->world.root_gives(Order{}.numbers());
+}
+
+void LammpsEngine::settle(SimulationSettings const& settings) {
+  set_constants(inside_->settings, constants_of(settings));
 }
 
 void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
-  auto const& world = inside_->world;
   auto checkpoint = simulation.checkpoint();
-  world.root_gives(std::array{static_cast<double>(steps), static_cast<double>(checkpoint.step)});
+  Order const order{.steps = steps, .first = checkpoint.step, .constants = constants_of(inside_->settings)};
+  inside_->world.root_gives(order.numbers());
   if (!inside_->lammps)
-    inside_->begin(checkpoint.step, rows_of(checkpoint.particles));
+    inside_->begin(order, rows_of(checkpoint.particles));
   checkpoint.particles = particles_of(inside_->run(steps), inside_->settings.features());
   checkpoint.q_at_renewal = checkpoint.particles.q;
   checkpoint.step += steps;
@@ -104,13 +134,12 @@ void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
 
 void LammpsEngine::serve() {
   for (;;) {
-    auto const order = inside_->world.root_gives({});
-    auto const steps = static_cast<std::uint64_t>(order.at(0));
-    if (steps == 0)
+    auto const order = Order::of(inside_->world.root_gives({}));
+    if (order.steps == 0)
       return;
     if (!inside_->lammps)
-      inside_->begin(static_cast<std::uint64_t>(order.at(1)), {});
-    inside_->run(steps);
+      inside_->begin(order, {});
+    inside_->run(order.steps);
   }
 }
 

@@ -24,6 +24,10 @@ class LammpsEngine {
   LammpsEngine(LammpsEngine const&) = delete;
   LammpsEngine& operator=(LammpsEngine const&) = delete;
 
+  /// On the first rank, before its first step: takes the constants of the densities from the settings that
+  /// the run has come to; the other ranks need not know them.
+  void settle(SimulationSettings const& settings);
+
   /// On the first rank. The first call begins where the simulation is; later ones go on from the state that
   /// the ranks hold, which is the simulation's unless someone has changed it. Throws PhysicsError,
   /// md::LammpsError.

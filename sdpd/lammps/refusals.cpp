@@ -1,3 +1,4 @@
+#include "sdpd/lammps/block_sweep.hpp"
 #include "sdpd/lammps/lammps_engine.hpp"
 
 namespace mesobridge::sdpd {
@@ -9,20 +10,14 @@ struct Refusal {
   std::string_view what; ///< begins with the name of the setting
 };
 
-template <class Method>
-bool is(SimulationSettings const& s) {
-  return std::holds_alternative<Method>(s.method);
-}
-
 bool has_walls_or_open_faces(SimulationSettings const& s) {
   auto const box = box_of(s);
   return !(box.periodic[0] && box.periodic[1] && box.periodic[2]);
 }
 
-constexpr std::array<Refusal, 10> refusals{{
-    {is<Sdpd>, "method.name = sdpd: the LAMMPS engine runs dpd and dpde"},
-    {[](auto const& s) { return s.scheme.pairs != "ser"; },
-     "scheme.name: the LAMMPS engine has ser alone, which steps all pairs at once"},
+constexpr std::array<Refusal, 11> refusals{{
+    {[](auto const& s) { return s.scheme.pairs != "ser" && s.scheme.pairs != "ssa"; },
+     "scheme.name: the LAMMPS engine has ser, which steps all pairs at once, and ssa"},
     {[](auto const& s) { return s.scheme.conservative != "verlet"; },
      "scheme.conservative: the LAMMPS engine has verlet alone"},
     {[](auto const& s) { return s.scheme.splitting != Splitting::lie_trotter; },
@@ -34,6 +29,9 @@ constexpr std::array<Refusal, 10> refusals{{
     {[](auto const& s) { return !s.reduced_species().empty(); },
      "species: the LAMMPS engine runs fluids of one species"},
     {[](auto const& s) { return s.conducts(); }, "conduction: not in the LAMMPS engine"},
+    {[](auto const& s) { return s.scheme.pairs == "ssa" && !BlockSweep::fits(box_of(s), s.range()); },
+     "scheme.name = ssa: the LAMMPS engine wants a box of four ranges of the interaction along each axis"},
+    {[](auto const& s) { return s.features().reacts; }, "reaction: not in the LAMMPS engine"},
 }};
 
 } // namespace

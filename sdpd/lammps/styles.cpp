@@ -13,6 +13,7 @@ auto make_args_checked(Format const&, std::remove_reference_t<Args>&... args) {
 
 #include <lammps/atom.h>
 #include <lammps/comm.h>
+#include <lammps/domain.h>
 #include <lammps/fix.h>
 #include <lammps/force.h>
 #include <lammps/lammps.h>
@@ -44,7 +45,9 @@ RankParticles particles_of(LAMMPS_NS::LAMMPS const& lammps) {
                           rows(atom.v),
                           rows(atom.f),
                           atom.tag,
-                          {}};
+                          {},
+                          lammps.domain->sublo,
+                          lammps.domain->subhi};
   if (auto const* const list = lammps.force->pair->list)
     particles.list = {static_cast<std::size_t>(list->inum), list->ilist, list->numneigh, list->firstneigh,
                       NEIGHMASK};
@@ -71,21 +74,22 @@ class FluidPair final : public LAMMPS_NS::Pair {
   double init_one(int, int) override { return fluid->range(); }
   void compute(int eflag, int vflag) override {
     ev_init(eflag, vflag);
-    fluid->add_forces(particles_of(*lmp), step_under_way(*lmp));
+    fluid->add_forces(particles_of(*lmp), *ghosts, step_under_way(*lmp));
   }
 
   DecomposedFluid* fluid = nullptr;
+  GhostExchange* ghosts = nullptr;
 };
 
 /// The fix: the steps of the motion, friction and noise; it brings numbers to ghosts and back, and moves what
 /// particles carry along with them.
-class FluidFix final : public LAMMPS_NS::Fix, private GhostExchange {
+class FluidFix final : public LAMMPS_NS::Fix, public GhostExchange {
  public:
   FluidFix(LAMMPS_NS::LAMMPS* lammps, int count, char** words) : Fix(lammps, count, words) {
-    constexpr int most_numbers = 4;
+    constexpr int most_numbers = 8;
     comm_forward = comm_reverse = most_numbers;
     time_integrate = 1;
-    maxexchange = 2;
+    maxexchange = 3;
     atom->add_callback(0); // LAMMPS takes the fix that is being made
   }
   ~FluidFix() override { atom->delete_callback(id, 0); }
@@ -110,46 +114,57 @@ class FluidFix final : public LAMMPS_NS::Fix, private GhostExchange {
   }
   void copy_arrays(int from, int to, int) override { carried(to) = carried(from); }
   int pack_exchange(int i, double* to) override {
-    to[0] = carried(i).eps, to[1] = carried(i).T;
-    return 2;
+    to[0] = carried(i).eps, to[1] = carried(i).T, to[2] = carried(i).S;
+    return 3;
   }
   int unpack_exchange(int i, double* from) override {
-    carried(i) = {from[0], from[1]};
-    return 2;
+    carried(i) = {from[0], from[1], from[2]};
+    return 3;
   }
 
   int pack_forward_comm(int n, int* of, double* to, int, int*) override {
+    double const* const begin = to;
     for (int k = 0; k < n; ++k)
-      to = std::copy_n(rows_ + width_ * of[k], width_, to);
-    return n * width_;
+      for (double const number : row(of[k]))
+        *to++ = number;
+    return static_cast<int>(to - begin);
   }
   void unpack_forward_comm(int n, int first, double* from) override {
-    std::copy_n(from, n * width_, rows_ + width_ * first);
+    for (int k = first; k < first + n; ++k)
+      for (double& number : row(k))
+        number = *from++;
   }
   int pack_reverse_comm(int n, int first, double* to) override {
-    std::copy_n(rows_ + width_ * first, n * width_, to);
-    return n * width_;
+    double const* const begin = to;
+    for (int k = first; k < first + n; ++k)
+      for (double const number : row(k))
+        *to++ = number;
+    return static_cast<int>(to - begin);
   }
   void unpack_reverse_comm(int n, int* of, double* from) override {
     for (int k = 0; k < n; ++k)
-      for (int c = 0; c < width_; ++c)
-        rows_[width_ * of[k] + c] += *from++;
+      for (double& number : row(of[k]))
+        number += *from++;
+  }
+
+  void forward(TravellingRows const& rows) override {
+    under_way_ = rows;
+    comm->forward_comm_fix(this, rows.width);
+  }
+  void reverse(TravellingRows const& rows) override {
+    under_way_ = rows;
+    comm->reverse_comm_fix(this, rows.width);
   }
 
  private:
-  void forward(double* rows, int width) override {
-    rows_ = rows, width_ = width;
-    comm->forward_comm_fix(this, width);
-  }
-  void reverse(double* rows, int width) override {
-    rows_ = rows, width_ = width;
-    comm->reverse_comm_fix(this, width);
+  std::span<double> row(int i) const {
+    return {under_way_.rows + std::ptrdiff_t{under_way_.stride} * i,
+            static_cast<std::size_t>(under_way_.width)};
   }
   DecomposedFluid::Carried& carried(int i) { return fluid->carried[static_cast<std::size_t>(i)]; }
 
   DecomposedFluid* fluid = nullptr;
-  double* rows_ = nullptr; ///< on their way
-  int width_ = 0;
+  TravellingRows under_way_{};
 };
 
 LAMMPS_NS::Pair* make_pair(LAMMPS_NS::LAMMPS* lammps) {
@@ -172,10 +187,12 @@ LammpsStyles::LammpsStyles(md::LammpsSession& session, DecomposedFluid& fluid)
   (*lammps.force->pair_map)[style_name] = make_pair;
   (*lammps.modify->fix_map)[style_name] = make_fix;
   session.command("pair_style {}", style_name);
-  dynamic_cast<FluidPair&>(*lammps.force->pair).fluid = &fluid;
   session.command("pair_coeff * *");
   session.command("fix {0} all {0}", style_name);
-  dynamic_cast<FluidFix&>(*lammps.modify->fix[lammps.modify->nfix - 1]).begin(fluid);
+  auto& fix = dynamic_cast<FluidFix&>(*lammps.modify->fix[lammps.modify->nfix - 1]);
+  fix.begin(fluid);
+  auto& pair = dynamic_cast<FluidPair&>(*lammps.force->pair);
+  pair.fluid = &fluid, pair.ghosts = &fix;
 }
 
 LammpsStyles::~LammpsStyles() = default;
@@ -197,7 +214,7 @@ void LammpsStyles::create(Particles const& from) {
   auto const here = particles_of(lammps);
   for (std::size_t i = 0; i < here.owned; ++i) {
     auto const at = place[here.id(i)];
-    inside_->fluid.carried[i] = {from.eps[at], from.T[at]};
+    inside_->fluid.carried[i] = {.eps = from.eps[at], .T = from.T[at]};
   }
 }
 

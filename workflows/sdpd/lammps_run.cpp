@@ -48,9 +48,9 @@ Result run_on_lammps(Scene const& scene, std::filesystem::path const& directory,
       return engine.serve();
     result = run({.name = "lammps",
                   .ranks = world.size(),
-                  .advance = [&](sdpd::Simulation& simulation, std::uint64_t steps) {
-                    engine.advance(simulation, steps);
-                  }});
+                  .settle = [&](sdpd::SimulationSettings const& settings) { engine.settle(settings); },
+                  .advance = [&](sdpd::Simulation& simulation,
+                                 std::uint64_t steps) { engine.advance(simulation, steps); }});
   });
   return result;
 }

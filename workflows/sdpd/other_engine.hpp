@@ -9,6 +9,7 @@ namespace mesobridge::workflows {
 struct OtherEngine {
   std::string name;
   int ranks = 1;
+  std::function<void(sdpd::SimulationSettings const&)> settle; ///< told the run's own, before the first step
   std::function<void(sdpd::Simulation&, std::uint64_t steps)> advance;
 };
 

@@ -46,6 +46,8 @@ class Run {
 
  private:
   RunResult run() {
+    if (options_.engine)
+      options_.engine->settle(settings_);
     if (options_.past)
       go_on(*options_.past);
     else

@@ -11,17 +11,42 @@ namespace {
 
 using tests::ScratchDirectory;
 
-std::vector<std::string> words(std::string const& engine, int ranks, std::filesystem::path const& directory,
-                               std::vector<std::string> const& more = {}) {
-  std::vector<std::string> all{"run",        MESOBRIDGE_SOURCE_DIR "/workflows/scenes/dpde-fluid.toml",
-                               "--engine",   engine,
-                               "--ranks",    std::to_string(ranks),
-                               "--threads",  "1",
-                               "-o",         directory.string(),
-                               "--json",     "--quiet",
-                               "--no-report"};
-  for (char const* set : {"particles.N=512", "scheme.name=ser", "scheme.dt=0.005", "run.equilibrate=32",
-                          "run.steps=64", "run.sample_every=2", "run.trajectory_every=32"})
+using Words = std::vector<std::string>;
+
+/// A scene, shortened.
+struct ShortScene {
+  std::string scene;
+  Words settings;
+};
+ShortScene dpde() {
+  return {"dpde-fluid", {"particles.N=512", "scheme.name=ser", "scheme.dt=0.005"}};
+}
+/// Argon, whose constants of the densities have to be found first.
+ShortScene argon() {
+  return {"sdpd-ranks",
+          {"particles.N=512", "scheme.name=ser", "scheme.dt=0.01", "particles.density=calibrated",
+           "particles.calibration_steps=200"}};
+}
+
+/// With SSA, and N particles.
+ShortScene pairs_in_turn(ShortScene of, char const* N) {
+  of.settings.insert(of.settings.end(), {"scheme.name=ssa", std::string("particles.N=") + N});
+  return of;
+}
+
+Words words(std::string const& engine, int ranks, std::filesystem::path const& directory,
+            Words const& more = {}, ShortScene const& of = dpde()) {
+  Words all{"run",        MESOBRIDGE_SOURCE_DIR "/workflows/scenes/" + of.scene + ".toml",
+            "--engine",   engine,
+            "--ranks",    std::to_string(ranks),
+            "--threads",  "1",
+            "-o",         directory.string(),
+            "--json",     "--quiet",
+            "--no-report"};
+  auto settings = of.settings;
+  settings.insert(settings.end(),
+                  {"run.equilibrate=32", "run.steps=64", "run.sample_every=2", "run.trajectory_every=32"});
+  for (auto const& set : settings)
     all.insert(all.end(), {"--set", set});
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -39,38 +64,66 @@ double apart(std::filesystem::path const& a, std::filesystem::path const& b, std
   return most / scale;
 }
 
-TEST(LammpsRun, AgreesOverRanksAndWithTheBuiltInEngine) {
-  ScratchDirectory const scratch;
-  auto const built_in = tests::program(words("built-in", 1, scratch / "built-in"));
-  ASSERT_EQ(built_in.status, 0) << built_in.errors;
+/// Runs the engine inside LAMMPS on several numbers of ranks and compares what they have stored.
+void expect_agreement_of_ranks(ShortScene const& of, Words const& series,
+                               std::filesystem::path const& scratch) {
   for (int const ranks : {1, 2, 4}) {
-    auto const done = tests::program(words("lammps", ranks, scratch / std::to_string(ranks)));
+    auto const done = tests::program(words("lammps", ranks, scratch / std::to_string(ranks), {}, of));
     ASSERT_EQ(done.status, 0) << done.errors;
     auto const json = Json::parse(done.output);
     EXPECT_EQ(json["engine"], "lammps");
     EXPECT_EQ(json["ranks"], ranks);
-    for (char const* name : {"thermodynamics", "particles/eps"})
-      EXPECT_LT(apart(scratch / "built-in", scratch / std::to_string(ranks), name), 1e-6) << ranks << name;
     EXPECT_TRUE(std::filesystem::exists(scratch / std::to_string(ranks) / "trajectory.h5md"));
   }
   for (char const* ranks : {"2", "4"})
-    for (char const* name : {"thermodynamics", "particles/eps"})
+    for (auto const& name : series)
       EXPECT_LT(apart(scratch / "1", scratch / ranks, name), 1e-11) << ranks << name;
-  EXPECT_EQ(tests::program(words("lammps", 2, scratch / "seed", {"--seed", "7"})).status, 0);
-  EXPECT_GT(apart(scratch / "1", scratch / "seed", "particles/eps"), 1e-3);
+  EXPECT_EQ(tests::program(words("lammps", 2, scratch / "seed", {"--seed", "7"}, of)).status, 0);
+  EXPECT_GT(apart(scratch / "1", scratch / "seed", series.back()), 1e-4);
+}
+
+/// The same, and beside the built-in engine.
+void expect_agreement(ShortScene const& of, Words const& series) {
+  ScratchDirectory const scratch;
+  expect_agreement_of_ranks(of, series, scratch.path());
+  auto const built_in = tests::program(words("built-in", 1, scratch / "built-in", {}, of));
+  ASSERT_EQ(built_in.status, 0) << built_in.errors;
+  for (auto const& name : series)
+    EXPECT_LT(apart(scratch / "built-in", scratch / "1", name), 1e-6) << name;
+}
+
+TEST(LammpsRun, AgreesOverRanksAndWithTheBuiltInEngine) {
+  expect_agreement(dpde(), {"thermodynamics", "particles/eps"});
+}
+
+TEST(LammpsRun, AgreesInSdpdWithTheConstantsThatTheFirstRankFinds) {
+  expect_agreement(argon(), {"thermodynamics", "particles/rho", "particles/P", "particles/eps"});
+}
+
+TEST(LammpsRun, StepsPairsInTurnInOneOrderOnAllRanks) {
+  ScratchDirectory const scratch;
+  expect_agreement_of_ranks(pairs_in_turn(dpde(), "512"), {"thermodynamics", "particles/eps"},
+                            scratch / "dpde");
+  auto gas = pairs_in_turn(argon(), "1000");
+  gas.settings.push_back("particles.density=plain");
+  expect_agreement_of_ranks(gas, {"thermodynamics", "particles/P", "particles/eps"}, scratch / "argon");
 }
 
 TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
   ScratchDirectory const scratch;
-  std::vector<std::string> const longer{"--set", "run.steps=128"};
-  auto const whole = tests::program(words("lammps", 2, scratch / "whole", longer));
-  ASSERT_EQ(whole.status, 0) << whole.errors;
-  auto const first = tests::program(words("lammps", 2, scratch / "parts"));
-  ASSERT_EQ(first.status, 0) << first.errors;
-  auto const rest =
-      tests::program(words("lammps", 1, scratch / "parts", {"--set", "run.steps=128", "--resume"}));
-  ASSERT_EQ(rest.status, 0) << rest.errors;
-  EXPECT_LT(apart(scratch / "whole", scratch / "parts", "thermodynamics"), 1e-10);
+  Words const longer{"--set", "run.steps=128"};
+  int number = 0;
+  for (auto const& of : {dpde(), argon(), pairs_in_turn(dpde(), "512")}) {
+    auto const whole_directory = scratch / fmt::format("{}-whole", ++number),
+               parts = scratch / fmt::format("{}-parts", number);
+    auto const whole = tests::program(words("lammps", 2, whole_directory, longer, of));
+    ASSERT_EQ(whole.status, 0) << whole.errors;
+    auto const first = tests::program(words("lammps", 2, parts, {}, of));
+    ASSERT_EQ(first.status, 0) << first.errors;
+    auto const rest = tests::program(words("lammps", 1, parts, {"--set", "run.steps=128", "--resume"}, of));
+    ASSERT_EQ(rest.status, 0) << rest.errors;
+    EXPECT_LT(apart(whole_directory, parts, "thermodynamics"), 1e-10) << number;
+  }
 }
 
 TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
@@ -78,15 +131,16 @@ TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
   auto const directory = (scratch / "a").string();
   std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
   std::vector<tests::Refusal> cases;
-  for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "run.seed=1", "scheme.name"),
-                                            {"argon-1000K", "scheme.name=ser", "method.name"},
-                                            {"dpde-fluid", "scheme.splitting=strang", "scheme.name"}})
+  for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "scheme.name=ems", "scheme.name"),
+                                            {"argon-1000K", "scheme.name=ams", "scheme.name"},
+                                            {"sdpd-ranks", "transport.kappa=1e-2 W/(m*K)", "conduction"},
+                                            {"dpde-fluid", "scheme.splitting=strang", "scheme.splitting"}})
     for (char const* command : {"run", "check"})
       cases.push_back(
           {{command, scenes + scene + ".toml", "--engine", "lammps", "--set", set, "-o", directory},
            2,
            message});
-  EXPECT_EQ(tests::expect_refusals(cases), 6);
+  EXPECT_EQ(tests::expect_refusals(cases), 8);
   EXPECT_FALSE(std::filesystem::exists(directory));
 }
 

@@ -1,0 +1,191 @@
+#include "sdpd/lammps/block_sweep.hpp"
+#include "sdpd/lammps/pair_noise.hpp"
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+#include <ranges>
+
+namespace mesobridge::sdpd {
+namespace {
+
+/// The steps of eight pairs, each by the scalar exponential, which is one in double precision.
+template <class Law>
+Bath<Lanes>::Directions steps_of(Law const& law, Bath<Lanes> const& bath, PairWeights<Lanes> const& weight,
+                                 double time) {
+  Bath<Lanes>::Directions steps{};
+  for (std::size_t l = 0; l < lane_count; ++l) {
+    auto const one = step_in(Bath<double>{bath.gamma_over_a[l], bath.thermal[l]}, law,
+                             PairWeights<double>{weight.par[l], weight.perp[l]}, time);
+    steps.par.decay[l] = one.par.decay, steps.par.variance[l] = one.par.variance;
+    steps.perp.decay[l] = one.perp.decay, steps.perp.variance[l] = one.perp.variance;
+  }
+  return steps;
+}
+
+} // namespace
+
+/// What a sweep leaves as it is, and the state that it begins from; owners tell their ghosts.
+template <class Law>
+void BlockSweep::begin(Inputs const& in) {
+  auto const owned = in.particles.owned, all = in.particles.all;
+  state_.assign(all, Row{}), fixed_.assign(fixed_stride * all, 1);
+  for (std::size_t i = 0; i < owned; ++i) {
+    double const* const v = in.particles.v + 3 * i;
+    state_[i] = Row{v[0], v[1], v[2], 0};
+    double* const fixed = &fixed_[fixed_stride * i];
+    fixed[cell] = number(cell_of(in.particles.q + 3 * i));
+    if constexpr (Law::has_energies) {
+      auto const& caloric = in.own.caloric[i];
+      fixed[T_0] = caloric.T_0, fixed[inverse_C_0] = caloric.inverse_C_0;
+      fixed[curvature] = caloric.curvature, fixed[limit] = caloric.limit;
+      fixed[density] = in.own.rho.empty() ? 1 : in.own.rho[i], fixed[energy] = in.own.eps[i];
+    }
+  }
+  in.ghosts.forward({fixed_.data(), fixed_stride, Law::has_energies ? int{fixed_width} : 1});
+  if constexpr (Law::has_energies) {
+    seen_.T.resize(all), seen_.rho.resize(all);
+    for (std::size_t i = 0; i < all; ++i)
+      seen_.T[i] = fixed_[fixed_stride * i + T_0], seen_.rho[i] = fixed_[fixed_stride * i + density];
+  }
+}
+
+template <class Law>
+void BlockSweep::draw_noise(Law const&, Inputs const& in) {
+  NoiseLanes const source(NoiseSource(in.seed, fluctuation_noise.first, in.step));
+  for (auto& of_axis : noise_)
+    of_axis.resize(ordered_.size() + 2 * wide_count);
+  std::array<std::uint32_t, wide_count> i{}, j{};
+  for (std::size_t first = 0; first < ordered_.size(); first += wide_count) {
+    for (std::size_t l = 0; l < wide_count && first + l < ordered_.size(); ++l)
+      i[l] = block_[ordered_[first + l].i].place, j[l] = block_[ordered_[first + l].j].place;
+    PairNoiseLanes const G(source, in.particles, i.data(), j.data(), Law::noise);
+    store(G.x, &noise_[0][first]), store(G.y, &noise_[1][first]), store(G.z, &noise_[2][first]);
+  }
+}
+
+/// Where a particle's expansion does not reach, temperatures are found exactly, so that they depend on its
+/// state alone. What has none is reported.
+BlockSweep::ThermalLanes BlockSweep::thermal(Inputs const& in, ParticleLanes const& of,
+                                             std::uint32_t const* who, Failure& failure) const {
+  ThermalLanes found{of.caloric.T(of.u), of.caloric.inverse_C(of.u)};
+  auto const report = [&](std::size_t l, std::string_view why) {
+    auto const& member = block_[who[l]];
+    failure.report(member.id,
+                   fmt::format("what it exchanged with its neighbours took its internal energy to {:.6g} "
+                               "(in K k_B T): {}; take a shorter time step or larger particles",
+                               fixed_[fixed_stride * member.place + energy] + of.u[l], why));
+    found.T[l] = 1;
+  };
+  for (unsigned out = ~of.caloric.in_reach(found.T) & 0xffu; out != 0; out &= out - 1) {
+    auto const l = static_cast<std::size_t>(std::countr_zero(out));
+    auto const place = block_[who[l]].place;
+    try {
+      auto const exact =
+          in.parts.thermodynamics->state(seen_, place, fixed_[fixed_stride * place + energy] + of.u[l]);
+      found.T[l] = exact.T, found.inverse_C[l] = exact.inverse_C;
+    } catch (PhysicsError const& error) {
+      report(l, error.what());
+    }
+  }
+  for (unsigned cold = ~less(Lanes{}, found.T) & 0xffu; cold != 0; cold &= cold - 1)
+    report(static_cast<std::size_t>(std::countr_zero(cold)), "its temperature is not positive there");
+  return found;
+}
+
+template <class Law>
+Bath<Lanes> BlockSweep::bath_of(Law const& law, Inputs const& in, ParticleLanes const& a,
+                                ParticleLanes const& b, EightPairs const& at, Failure& failure) const {
+  if constexpr (Law::has_energies) {
+    ThermalLanes const of_a = thermal(in, a, at.i, failure), of_b = thermal(in, b, at.j, failure);
+    return law.template bath<Lanes>({of_a.T, of_b.T, of_a.inverse_C, of_b.inverse_C});
+  } else {
+    return law.template bath<Lanes>();
+  }
+}
+
+/// Eq. (S22), (S23), one matching after the other.
+template <class Law>
+void BlockSweep::step_pairs(Law const& law, Inputs const& in, Failure& failure) {
+  auto const n = static_cast<std::uint32_t>(block_.size());
+  with_weights(in.parts.kernel, law, [&](auto const& weights) {
+    std::size_t begin = 0;
+    for (std::size_t const end : ends_)
+      for (; begin < end; begin += std::min(lane_count, end - begin)) {
+        std::size_t const count = std::min(lane_count, end - begin);
+        std::array<std::uint32_t, lane_count> i, j;
+        for (std::size_t l = 0; l < lane_count; ++l)
+          i[l] = l < count ? ordered_[begin + l].i : n, j[l] = l < count ? ordered_[begin + l].j : n + 1;
+        ParticleLanes const a(load_lines([&](std::size_t l) { return &states_[i[l]]; }));
+        ParticleLanes const b(load_lines([&](std::size_t l) { return &states_[j[l]]; }));
+        EightPairs const at(rows_.data(), i.data(), j.data(), count);
+        auto const G = [&](std::size_t axis) { return to_double(load<FloatLanes>(&noise_[axis][begin])); };
+        auto const weight = not_negative(weights(at.r, at.inverse_r, at.of_i, at.of_j));
+        InputLanes<Law::across, Lanes> const input(
+            weight, {at.x * at.inverse_r, at.y * at.inverse_r, at.z * at.inverse_r}, {G(0), G(1), G(2)});
+        VectorLanes<Lanes> const v{a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z};
+        auto const bath = bath_of(law, in, a, b, at, failure);
+        auto const dv = velocity_change(steps_of(law, bath, weight, in.time), input, v);
+        Lanes const heat =
+            -0.125 * dot(dv, VectorLanes<Lanes>{2.0 * v.x + dv.x, 2.0 * v.y + dv.y, 2.0 * v.z + dv.z});
+        auto const changes = to_rows({0.5 * dv.x, 0.5 * dv.y, 0.5 * dv.z, heat});
+        for (std::size_t l = 0; l < count; ++l) {
+          Vec3 const dp{changes[l][0], changes[l][1], changes[l][2]};
+          states_[i[l]].p += dp, states_[j[l]].p -= dp;
+          states_[i[l]].u += changes[l][3], states_[j[l]].u += changes[l][3];
+        }
+      }
+  });
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const& of = states_[k];
+    state_[block_[k].place] = Row{of.p.x, of.p.y, of.p.z, of.u};
+  }
+}
+
+template <class Law>
+void BlockSweep::step_blocks(Law const& law, Inputs const& in, Failure& failure) {
+  finish_blocks();
+  draw_noise(law, in);
+  step_pairs(law, in, failure);
+  block_.clear(), rows_.clear(), states_.clear(), pairs_.clear();
+}
+
+template <class Law>
+std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failure& failure) {
+  begin<Law>(in);
+  sort_into_cells(in.particles);
+  auto const blocks = own_blocks(in.particles);
+  constexpr int width = Law::has_energies ? 4 : 3;
+  constexpr std::size_t enough = 500; // particles: their copies stay in the cache
+  auto rows = [](std::vector<Row>& of) {
+    return TravellingRows{reinterpret_cast<double*>(of.data()), 4, width};
+  };
+  for (unsigned phase = 0; phase < 8; ++phase) {
+    in.ghosts.forward(rows(state_));
+    before_ = state_;
+    auto const turn = [&](unsigned axis) {
+      return std::views::filter(blocks[axis],
+                                [=](std::uint32_t k) { return (k & 1u) == (phase >> axis & 1u); });
+    };
+    for (auto const z : turn(2))
+      for (auto const y : turn(1))
+        for (auto const x : turn(0)) {
+          add_block(in.particles, {x, y, z});
+          if (block_.size() > enough)
+            step_blocks(law, in, failure);
+        }
+    step_blocks(law, in, failure);
+    for (std::size_t i = 0; i < in.particles.all; ++i)
+      before_[i] = i < in.particles.owned ? state_[i] : state_[i] - before_[i];
+    in.ghosts.reverse(rows(before_));
+    std::swap(state_, before_);
+  }
+  return state_;
+}
+
+template std::vector<Row> const& BlockSweep::run(SdpdLaw const&, Inputs const&, Failure&);
+template std::vector<Row> const& BlockSweep::run(DpdeLaw<Transverse::none> const&, Inputs const&, Failure&);
+template std::vector<Row> const& BlockSweep::run(DpdeLaw<Transverse::own> const&, Inputs const&, Failure&);
+template std::vector<Row> const& BlockSweep::run(DpdLaw<Transverse::none> const&, Inputs const&, Failure&);
+template std::vector<Row> const& BlockSweep::run(DpdLaw<Transverse::own> const&, Inputs const&, Failure&);
+
+} // namespace mesobridge::sdpd
