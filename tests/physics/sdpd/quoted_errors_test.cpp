@@ -114,7 +114,7 @@ std::vector<Means> runs_of(std::uint32_t side, double duration, std::uint64_t se
 }
 
 TEST(QuotedErrors, AreTheSpreadOfShortRuns) {
-  auto const runs = runs_of(6, 150, 8);
+  auto const runs = runs_of(6, 250, 8);
   expect_spreads_as_quoted(runs);
   std::vector<cg::Estimate> alone;
   for (auto const& run : runs)
