@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "fitting/valid_range.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "workflows/sdpd/known_structure.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include <fmt/ranges.h>
 #include <numbers>
@@ -102,6 +103,9 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
              "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
              "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
              neighbours, settings.rho)});
+  if (auto const* const sdpd = std::get_if<sdpd::Sdpd>(&settings.method); sdpd && settings.noise)
+    if (auto const known = known_structure(sdpd->kernel, neighbours_in_range(settings), settings.K()))
+      doubts.push_back({"structure", false, *known});
   for (auto const& doubt : {ripples(settings), reflection(scene, settings)})
     if (doubt)
       doubts.push_back(*doubt);
