@@ -91,6 +91,25 @@ double velocity_decay_lag(Sums const& sums, std::size_t lags) {
   return decay_lag(lags, [&](std::size_t lag) { return sums[lags + lag]; });
 }
 
+/// Standard error of D over D, from when all molecules move (cg/README.md, Eq. (C52)); 0 where the run is too
+/// short to tell.
+double error_in_time(BlobSeries const& series, std::vector<Vec3> const& ways, std::size_t last) {
+  std::size_t const N = series.molecules;
+  std::vector<double> growth; // of the displacements over the second half of the lags, by when they begin
+  for (std::size_t s = 0; s + last < series.frames(); ++s) {
+    double sum = 0;
+    for (std::size_t m = 0; m < N; ++m) {
+      auto const& start = ways[s * N + m];
+      sum += norm2(ways[(s + last) * N + m] - start) - norm2(ways[(s + last / 2) * N + m] - start);
+    }
+    growth.push_back(sum);
+  }
+  if (growth.size() < 16)
+    return 0;
+  auto const mean = estimate_mean(growth);
+  return mean.mean > 0 ? mean.se / mean.mean : 0;
+}
+
 } // namespace
 
 Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings) {
@@ -135,6 +154,7 @@ Diffusion diffusion(BlobSeries const& series, DiffusionSettings const& settings)
                   .decay = {},
                   .D_velocity = {},
                   .D_infinite = {}};
+  found.D.se = std::max(found.D.se, found.D.mean * error_in_time(series, ways, last));
   for (std::size_t lag = 0; lag < lags; ++lag) {
     found.lag.push_back(double(lag) * interval);
     found.displacement.push_back(estimates[5 + lag]);

@@ -13,7 +13,7 @@ struct DiffusionSettings {
 };
 
 /// How molecules move: their displacements and velocities, without the motion of all together. In the units
-/// of the series; cg/README.md, Eqs. (C17) ... (C19).
+/// of the series; cg/README.md, Eqs. (C17) ... (C19); the error of D is the larger one of (C52).
 struct Diffusion {
   std::vector<double> lag;
   std::vector<Estimate> displacement; ///< mean square, of three dimensions

@@ -65,8 +65,10 @@ BlockLevel plateau(std::span<double const> series) {
   return levels.back();
 }
 
+/// What pairs of lags say of the error of a mean.
 struct PairedError {
-  double se = 0, se_se = 0;
+  double se = 0;
+  double variance_of_square = 0; ///< of an se^2 by so many lags, relative
 };
 
 /// Standard error of the mean by all pairs of lags until the first whose sum is not positive (cg/README.md,
@@ -79,8 +81,7 @@ PairedError error_by_positive_pairs(std::span<double const> series) {
   for (; lags + 1 < gamma.size() && gamma[lags] + gamma[lags + 1] > 0; lags += 2)
     sum += 2 * (gamma[lags] + gamma[lags + 1]);
   double const unbiased = sum + (2 * double(lags) - 1) * sum / n;
-  double const se = std::sqrt(std::max(unbiased, 0.0) / n);
-  return {se, se * std::sqrt((double(lags) + 0.5) / n)};
+  return {std::sqrt(std::max(unbiased, 0.0) / n), 4 * (double(lags) + 0.5) / n};
 }
 
 /// The same mean with a larger standard error, and as many fewer independent samples.
@@ -124,8 +125,8 @@ Estimate estimate_mean(std::span<double const> series) {
     enlarge(estimate, surest->se);
   if (is_constant(series))
     return estimate;
-  if (auto const [se, se_se] = error_by_positive_pairs(series); se - se_se > estimate.se)
-    enlarge(estimate, se);
+  auto const pairs = error_by_positive_pairs(series);
+  enlarge(estimate, std::max(estimate.se, pairs.se) * std::sqrt(1 + pairs.variance_of_square));
   return estimate;
 }
 

@@ -56,8 +56,8 @@ Estimate estimate_by_autocorrelation(std::span<double const> series);
 Estimate estimate_by_blocking(std::span<double const> series);
 
 /// Mean and standard error: by autocorrelation time; by pairs of lags (cg/README.md, Eq. (C50)) or blocking
-/// where those find more, by one or three times their own uncertainty: a slow mode of small amplitude ends
-/// the window too soon. Throws InputError for fewer than 16 samples.
+/// where those find more: a slow mode of small amplitude ends the window too soon; then enlarged by its own
+/// uncertainty (C51). Throws InputError for fewer than 16 samples.
 Estimate estimate_mean(std::span<double const> series);
 
 /// Variance of one sample with its standard error (the error propagated linearly through the squared

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "sdpd/observe/runaway.hpp"
+#include "sdpd/observe/set_energy.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include <array>
 #include <cmath>
@@ -7,8 +8,8 @@
 namespace mesobridge::sdpd {
 namespace {
 
-constexpr std::array<double, 6> shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, 0.5};
-constexpr double last_share = 0.5;
+constexpr double last_share = last_share_of_equilibration;
+constexpr std::array<double, 6> shares{0.03125, 0.03125, 0.0625, 0.125, 0.25, last_share};
 
 } // namespace
 

@@ -9,7 +9,7 @@ Reproduce reproduce_chapter_3, reproduce_figure_4_2, reproduce_figure_4_3, repro
     reproduce_figure_4_9, reproduce_table_4_1, reproduce_table_4_2, reproduce_figure_4_10,
     reproduce_stability, reproduce_table_5_1, reproduce_table_5_2, reproduce_figure_5_5, reproduce_figure_5_6,
     reproduce_exact_solutions, reproduce_viscosity, reproduce_table_6_4, reproduce_table_6_5,
-    reproduce_figure_6_2, reproduce_figure_6_10, reproduce_figure_6_13;
+    reproduce_figure_6_2, reproduce_figure_6_10, reproduce_figure_6_13, reproduce_structure;
 
 // clang-format off
 std::vector<Reproduction> const& reproductions() {
@@ -38,6 +38,7 @@ std::vector<Reproduction> const& reproductions() {
       {"figure-6.13", "the same over the rate", reproduce_figure_6_13},
       {"exact-solutions", "shock tubes without noise against exact solutions, over the resolution", reproduce_exact_solutions},
       {"viscosity", "the viscosity that SDPD, DPD and DPDE have, beside the one asked for", reproduce_viscosity},
+      {"structure", "kernels, neighbours and sizes of SDPD: which are a fluid, a glass, pairs or a crystal", reproduce_structure},
   };
   return list;
 }

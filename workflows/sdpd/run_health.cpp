@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "fitting/valid_range.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include "workflows/sdpd/known_structure.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include <fmt/ranges.h>
 #include <numbers>
@@ -68,6 +69,22 @@ void add_doubts_about(sdpd::Layout const& layout, std::vector<sdpd::Finding>& do
   }
 }
 
+/// Says so where errors rest on so few independent samples that they are rough themselves.
+std::optional<sdpd::Finding> few_samples(sdpd::Equilibrium const& e) {
+  constexpr double enough = 20;
+  std::vector<std::string> few;
+  for (auto const& [name, mean] :
+       {std::pair("T_kin", e.T_kin), {"T_int", e.T_int}, {"P", e.P}, {"e", e.eps.mean}, {"rho", e.rho.mean}})
+    if (mean.se > 0 && mean.n_eff < enough)
+      few.push_back(fmt::format("{} ({:.1f})", name, mean.n_eff));
+  if (few.empty())
+    return std::nullopt;
+  return sdpd::Finding{"few_samples", false,
+                       fmt::format("means rest on few independent samples (n_eff): {}; errors of less than "
+                                   "{:g} are rough: take more run.steps",
+                                   fmt::join(few, ", "), enough)};
+}
+
 } // namespace
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
@@ -86,6 +103,9 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
              "a particle has {:.2g} neighbours within the range of the interactions: it is mostly alone. "
              "fluid.rho = {:g} is the mass per volume; the number of particles per volume is rho/mass",
              neighbours, settings.rho)});
+  if (auto const* const sdpd = std::get_if<sdpd::Sdpd>(&settings.method); sdpd && settings.noise)
+    if (auto const known = known_structure(sdpd->kernel, neighbours_in_range(settings), settings.K()))
+      doubts.push_back({"structure", false, *known});
   for (auto const& doubt : {ripples(settings), reflection(scene, settings)})
     if (doubt)
       doubts.push_back(*doubt);
@@ -108,6 +128,8 @@ std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, 
                      .thermal_pressure = std::pow(settings.spacing(), -3),
                      .tolerable_pairing = sdpd::tolerable_pairing(settings.K())});
   findings.insert(findings.end(), found.begin(), found.end());
+  if (auto const doubt = few_samples(result.equilibrium))
+    findings.push_back(*doubt);
   return findings;
 }
 

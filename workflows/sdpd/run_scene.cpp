@@ -2,6 +2,8 @@
 #include "sdpd/observe/runaway.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/energy_of_scene.hpp"
+#include "workflows/sdpd/kept_tolerances.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_folder.hpp"
 #include "workflows/sdpd/run_health.hpp"
@@ -250,7 +252,17 @@ class Run {
                      .findings = {},
                      .summary = {}};
     result.findings = findings_of(sampler, result, simulation_);
+    auto const set = energy_of_scene(scene_, settings_, simulation_);
+    auto const by_samples = result.equilibrium;
+    double const set_temperature_error = set ? sdpd::set_temperature_error(sampler, *set) : 0;
+    if (set)
+      sdpd::add_error_of_set_energy(result.equilibrium, set_temperature_error, *set);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
+    if (set)
+      result.summary["set_temperature" + units_.temperature_key + "_se"] =
+          set_temperature_error * units_.temperature;
+    if (auto const kept = kept_tolerances(result, by_samples); !kept.is_null())
+      result.summary["tolerances"] = kept;
     tell_engine(result.summary, options_.engine, made_steps_, folder_.summary());
     if (!options_.told_again)
       write_summary(folder_.summary(), result.summary);

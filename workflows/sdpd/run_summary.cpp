@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_summary.hpp"
+#include "sdpd/method/step_diffusion.hpp"
 #include "sdpd/setup/balance.hpp"
 #include "workflows/sdpd/detonation.hpp"
 #include "workflows/sdpd/flow.hpp"
@@ -125,6 +126,9 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
     put_rejections(json, "conduction_rejected", simulation.conduction_counts());
   auto const p = simulation.observe().momentum;
   json["momentum" + units.momentum_key] = norm(p) * units.momentum;
+  if (settings.noise)
+    json["diffusion_excess_at_most"] = sdpd::diffusion_excess(
+        sdpd::velocity_decay_rate(settings), settings.dt * static_cast<double>(scene.scheme.fluctuate_every));
   json["findings"] = findings_json(result.findings);
   return json;
 }

@@ -99,6 +99,11 @@ std::string run_text(RunResult const& result) {
                           chosen_for ? "; the time step was chosen for " + *chosen_for : "");
     }
   }
+  if (result.summary.contains("tolerances"))
+    for (auto const& [name, kept] : result.summary["tolerances"].items())
+      text += fmt::format("{:<7} {} (wanted: {}), {}\n", name, number_text(kept["found"].get<double>(), 2),
+                          number_text(kept["wanted"].get<double>(), 2),
+                          kept["fulfilled"].get<bool>() ? "fulfilled" : "not fulfilled");
   return text + shock_text(result.summary, units, si) + detonation_text(result.summary, units, si) +
          flow_text(result.summary, units, si);
 }

@@ -65,13 +65,14 @@ std::pair<double, double> coverage(Estimator const& estimator, double phi, std::
 
 TEST(Estimate, ErrorBarsCoverTheTruthAsOftenAsTheySay) {
   // Binomial standard errors of the fractions over 2000 series: 0.0104 and 0.0047. Series of 100 correlation
-  // times have errors that are themselves uncertain by about 10 %, which costs a little coverage.
+  // times have errors that are themselves uncertain by about 15 %, by which they are quoted larger (C51):
+  // more of the means lie within one of them than of a known error, and as many within two.
   int cases = 0;
   for (double phi : {0.0, 0.8, 0.95}) {
     auto const n = std::size_t(200 * ar1_tau(phi));
     auto const [one, two] = coverage([](auto const& x) { return estimate_mean(x); }, phi, n, 2000);
-    EXPECT_NEAR(one, 0.683, 0.035) << phi;
-    EXPECT_NEAR(two, 0.954, 0.025) << phi;
+    EXPECT_NEAR(one, 0.72, 0.055) << phi;
+    EXPECT_NEAR(two, 0.954, 0.027) << phi;
     auto const [one_block, two_block] =
         coverage([](auto const& x) { return estimate_by_blocking(x); }, phi, n, 2000);
     EXPECT_NEAR(one_block, 0.683, 0.06) << phi; // blocking is the coarser method
@@ -123,8 +124,30 @@ TEST(Estimate, ErrorsAreTheSpreadWhereNoiseHidesASlowMode) {
       spread += std::pow(mean_of(x), 2), quoted += std::pow(estimate_mean(x).se, 2);
       by_window += std::pow(estimate_by_autocorrelation(x).se, 2);
     }
-    EXPECT_NEAR(std::sqrt(spread / quoted), 1.07, 0.12) << n; // of 600: 0.03 by chance
+    EXPECT_NEAR(std::sqrt(spread / quoted), 1.0, 0.1) << n; // of 600: 0.03 by chance
     EXPECT_GT(std::sqrt(spread / by_window), 1.5) << n;
+    ++cases;
+  }
+  EXPECT_EQ(cases, 2);
+}
+
+// Few independent samples tell little of their own error. In units of errors that know nothing of this,
+// deviations squared are 1.7 in the mean for these series.
+TEST(Estimate, DeviationsOfShortSeriesAreOneStandardErrorInTheMean) {
+  std::mt19937_64 generator(10);
+  int cases = 0;
+  for (auto const& [n, tau] : {std::pair(80u, 5.0), {400u, 20.0}}) {
+    double squares = 0, by_window = 0, n_eff = 0;
+    constexpr int runs = 2000;
+    for (int k = 0; k < runs; ++k) {
+      auto const x = ar1(n, std::exp(-1 / tau), 0.0, generator);
+      auto const estimate = estimate_mean(x);
+      squares += std::pow(deviation(estimate, 0), 2) / runs, n_eff += estimate.n_eff / runs;
+      by_window += std::pow(deviation(estimate_by_autocorrelation(x), 0), 2) / runs;
+    }
+    EXPECT_NEAR(squares, 1.15, 0.2) << n; // by chance 0.05
+    EXPECT_GT(by_window, 1.5) << n;
+    EXPECT_NEAR(n_eff, double(n) / (2 * tau), 0.2 * double(n) / (2 * tau)) << n;
     ++cases;
   }
   EXPECT_EQ(cases, 2);

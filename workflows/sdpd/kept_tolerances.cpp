@@ -1,0 +1,64 @@
+#include "workflows/sdpd/kept_tolerances.hpp"
+#include "md/error.hpp"
+#include "workflows/scene/driven.hpp"
+#include "workflows/scene/tolerance.hpp"
+#include <cmath>
+#include <sstream>
+
+namespace mesobridge::workflows {
+namespace {
+
+Json kept(double wanted, double found, double se) {
+  return {{"wanted", wanted}, {"found", found}, {"found_se", se}, {"fulfilled", found - 2 * se <= wanted}};
+}
+
+/// Of the total energy; in scenes that something drives what is missing of the energy that was turned over.
+Json kept_drift(RunResult const& result, std::string const& text) {
+  if (text.ends_with('%'))
+    return kept(parse_share(text), std::abs(result.summary.value("energy_balance_error", 0.0)), 0);
+  double const time = result.settings.units().time();
+  auto const& drift = result.equilibrium.drift;
+  return kept(parse_rate(text, result.scene.units), std::abs(drift.rate) / time, drift.se / time);
+}
+
+/// Of the temperatures, which are known; that of the pressure shows only beside shorter steps.
+Json kept_bias(RunResult const& result, sdpd::Equilibrium const& e, std::string const& text) {
+  bool const kinetic =
+      !result.settings.features().energies ||
+      std::abs(e.T_kin.mean - 1) - 2 * e.T_kin.se > std::abs(e.T_int.mean - 1) - 2 * e.T_int.se;
+  auto const& T = kinetic ? e.T_kin : e.T_int;
+  return kept(parse_share(text), std::abs(T.mean - 1), T.se);
+}
+
+/// Nothing of what was found in trials of the fluid at rest where something drives the run.
+Json kept_part(RunResult const& result, sdpd::Equilibrium const& by_samples, std::string const& name,
+               std::string const& text) {
+  bool const driven = is_driven(result.scene);
+  if (name == "drift" && driven == text.ends_with('%'))
+    return kept_drift(result, text);
+  if (name == "bias" && !driven && result.settings.noise)
+    return kept_bias(result, by_samples, text);
+  return {};
+}
+
+} // namespace
+
+Json kept_tolerances(RunResult const& result, sdpd::Equilibrium const& by_samples) {
+  Json all;
+  std::istringstream wanted(result.scene.scheme.dt_chosen_for.value_or(""));
+  for (std::string part; std::getline(wanted >> std::ws, part, ',');) {
+    auto const space = part.find(' ');
+    if (space == std::string::npos)
+      continue;
+    auto const name = part.substr(0, space), text = part.substr(space + 1);
+    try {
+      if (auto const one = kept_part(result, by_samples, name, text); !one.is_null())
+        all[name] = one;
+    } catch (InputError const&) {
+      continue; // words that a user has written there
+    }
+  }
+  return all;
+}
+
+} // namespace mesobridge::workflows

@@ -1,0 +1,13 @@
+#pragma once
+#include "workflows/sdpd/run_scene.hpp"
+#include "workflows/summary.hpp"
+
+namespace mesobridge::workflows {
+
+/// What a finished run has kept of the tolerances that its time step was chosen for: of each what was wanted
+/// and found, with its standard error, and whether it is fulfilled, as far as two standard errors tell.
+/// `by_samples`: means whose errors do not count what the time step has added to the energy, which is no
+/// excuse. Null where dt was given.
+Json kept_tolerances(RunResult const& result, sdpd::Equilibrium const& by_samples);
+
+} // namespace mesobridge::workflows
