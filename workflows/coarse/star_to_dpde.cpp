@@ -79,7 +79,7 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
 }
 
 std::int64_t steps_at(double rho, std::int64_t usual, std::int64_t every) {
-  double const longer = std::clamp(0.3 / rho, 1.0, 10.0);
+  double const longer = std::clamp(std::pow(0.3 / rho, 1.5), 1.0, 10.0);
   return every * std::llround(double(usual) * longer / double(every));
 }
 

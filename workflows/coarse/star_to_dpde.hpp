@@ -39,7 +39,8 @@ std::vector<CoarseRun> coarse_runs(std::vector<double> const& time_steps,
                                    std::vector<std::filesystem::path> const& other_models);
 
 /// So many steps, a multiple of those between frames, as are wanted at another density than the usual 0.3
-/// beads per sigma^3: the thinner a melt, the later its velocities change, which is when friction is read.
+/// beads per sigma^3: the thinner a melt, the later its velocities change, which is when friction is read,
+/// and the later still its molecules forget their energies (21 time units at 0.1, of which S(U) needs 48).
 std::int64_t steps_at(double rho, std::int64_t usual, std::int64_t every);
 
 /// Steps between frames, as many as usual or fewer in melts above 0.4, where internal energies pass on fast.

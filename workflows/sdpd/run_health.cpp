@@ -1,4 +1,5 @@
 #include "workflows/sdpd/run_health.hpp"
+#include "fitting/fluid.hpp"
 #include "fitting/valid_range.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include "workflows/sdpd/known_structure.hpp"
@@ -85,6 +86,18 @@ std::optional<sdpd::Finding> few_samples(sdpd::Equilibrium const& e) {
                                    fmt::join(few, ", "), enough)};
 }
 
+/// A fluid at rest that pulls together does not fill its box.
+std::optional<sdpd::Finding> tension(fitting::EosModel const& model, double rho, double T) {
+  double const P = fitting::Fluid(model.eos).at_temperature(rho, T).P;
+  if (!(P < 0))
+    return std::nullopt;
+  return sdpd::Finding{
+      "tension", false,
+      fmt::format("the equation of state has P = {:.4g} at rho = {:.6g} and T = {:.6g}: a fluid in "
+                  "tension breaks into drops, which no kernel prevents; take a greater density",
+                  P, rho, T)};
+}
+
 } // namespace
 
 std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSettings const& settings) {
@@ -94,6 +107,9 @@ std::vector<sdpd::Finding> doubts_about(Scene const& scene, sdpd::SimulationSett
   if (settings.features().densities)
     if (auto const doubt = fitting::extrapolation(eos_model_of(scene), settings.rho, settings.T))
       doubts.push_back({"range", false, fmt::format("fluid.eos: {}", *doubt)});
+  if (settings.features().densities && settings.noise && !is_driven(scene))
+    if (auto const doubt = tension(eos_model_of(scene), settings.rho, settings.T))
+      doubts.push_back(*doubt);
   if (settings.layout)
     add_doubts_about(*settings.layout, doubts);
   if (double const neighbours = neighbours_in_range(settings); neighbours < least_neighbours)

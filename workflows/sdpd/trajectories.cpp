@@ -67,12 +67,6 @@ std::array<bool, 3> periodic_axes(Scene const& scene) {
   return {box.x == "periodic", box.y == "periodic", box.z == "periodic"};
 }
 
-/// Runs of earlier versions called it trajectory.h5: they go on with that.
-std::filesystem::path h5md_file(std::filesystem::path const& folder) {
-  auto const former = folder / former_h5md_name, now = folder / h5md_name;
-  return std::filesystem::exists(former) && !std::filesystem::exists(now) ? former : now;
-}
-
 H5mdWriter::Units h5md_units(bool si) {
   // The frames are in nm and ps already.
   return {.length = 1, .time = 1, .physical = si};
@@ -83,8 +77,7 @@ H5mdWriter::Units h5md_units(bool si) {
 Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& folder,
                            Provenance const& provenance, std::optional<FrameSchedules> const& before)
     : folder_(folder), schedule_(scene.run), si_(scene.units == UnitSystem::SI) {
-  auto const h5 = before ? h5md_file(folder) : folder / h5md_name, vtk = folder / vtkhdf_name,
-             xyz = folder / "trajectory.xyz";
+  auto const h5 = folder / h5md_name, vtk = folder / vtkhdf_name, xyz = folder / "trajectory.xyz";
   auto const past = before.value_or(FrameSchedules{});
   if (before) {
     make_way(h5, schedule_.trajectory_every, past.h5md);

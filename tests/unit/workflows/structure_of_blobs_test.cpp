@@ -33,7 +33,8 @@ TEST(StructureOfBlobs, CutsWhereNothingIsLeftOfTheStructure) {
 TEST(StarToDpdePlan, HoldsThinMeltsLonger) {
   EXPECT_EQ(steps_at(0.3, 10000, 10), 10000);
   EXPECT_EQ(steps_at(0.5, 10000, 10), 10000);
-  EXPECT_EQ(steps_at(0.2, 10000, 10), 15000);
+  EXPECT_EQ(steps_at(0.2, 10000, 10), 18370);
+  EXPECT_EQ(steps_at(0.1, 10000, 10), 51960);
   EXPECT_EQ(steps_at(1e-30, 10000, 10), 100000);
   EXPECT_EQ(sample_every_at(0.3, 25), 25); // and dense ones are seen more often
   EXPECT_EQ(sample_every_at(0.5, 25), 10);
