@@ -46,14 +46,14 @@ void write_paraview_series(std::filesystem::path const& trajectory) {
              points = from.read_integers(vtk_group + "Steps/PointOffsets"),
              particles = from.read_integers(vtk_group + "NumberOfPoints"),
              steps = from.read_integers("mesobridge/step");
-  auto const folder = trajectory.parent_path() / "frames";
+  auto const folder = trajectory.parent_path() / "trajectory-frames";
   std::filesystem::create_directories(folder);
   auto files = Json::array();
   for (std::size_t k = 0; k < times.size(); ++k) {
     auto const name = fmt::format("{:09}.hdf", steps.at(k));
     write_frame(folder / name, from,
                 {parts.at(k), points.at(k), particles.at(static_cast<std::size_t>(parts.at(k)))});
-    files.push_back({{"name", "frames/" + name}, {"time", times[k]}});
+    files.push_back({{"name", "trajectory-frames/" + name}, {"time", times[k]}});
   }
   auto series = trajectory;
   write_text_file(series.replace_extension(".hdf.series"),

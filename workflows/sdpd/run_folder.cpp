@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 std::string const scene_header = "# A scene as `mesobridge run` resolved it, with every key.\n";
 
 /// Files that begin so are written by runs, with their journals.
-constexpr std::array result_names{"scene.toml",  "run.h5",       "checkpoint.", "trajectory.",
-                                  "report.html", "summary.json", "log.txt"};
+constexpr std::array result_names{"scene.toml",        "run.h5",      "checkpoint.",  "trajectory.",
+                                  "trajectory-frames", "report.html", "summary.json", "log.txt"};
 
 /// A log alone, of a run that could not begin, is in nobody's way.
 bool is_our_log(fs::path const& file) {
