@@ -26,7 +26,7 @@ TEST(Dpd, HasThePressureOfTheStandardFluid) {
   auto const pressure = cg::estimate_mean(P), temperature = cg::estimate_mean(T);
   EXPECT_LT(pressure.se, 0.06);
   EXPECT_NEAR(pressure.mean, 23.652, 0.15);
-  EXPECT_LT(temperature.se, 0.008);
+  EXPECT_LT(temperature.se, 0.01);
   EXPECT_NEAR(temperature.mean, 1, 0.01 + 3 * temperature.se);
   RecordProperty("P", std::to_string(pressure.mean) + " +- " + std::to_string(pressure.se));
 }
@@ -110,7 +110,7 @@ TEST(Dpde, ComesToOneTemperatureAndKeepsItsEnergy) {
       sampler.sample(moments(simulation.snapshot()));
   }
   auto const result = sampler.result();
-  EXPECT_LT(result.T_kin.se, 0.01);
+  EXPECT_LT(result.T_kin.se, 0.03);
   EXPECT_NEAR(result.T_kin.mean, 1, 5 * result.T_kin.se + 0.01);
   EXPECT_NEAR(result.T_kin.mean, result.T_int.mean, 5 * std::hypot(result.T_kin.se, result.T_int.se) + 0.005);
   EXPECT_LT(std::abs(result.drift.rate), 1e-4);

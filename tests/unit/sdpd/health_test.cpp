@@ -91,7 +91,7 @@ TEST(Health, FindsWhatIsWrongAndNothingElse) {
       {{.rise_T = 0.08}, "trend_of_T_int", false, 3},
       {{.rise_P = 0.6}, "trend_of_P", false, 0},
       {{.rise_P = -0.6}, "trend_of_P", false, 0},
-      {{.rise_rho = -0.02}, "trend_of_rho", false, 0},
+      {{.rise_rho = -0.02, .samples = 1600}, "trend_of_rho", false, 0},
       {{.pairing = 0.03, .rise_pairing = 0.33}, "pairing", false, 0},
       {{.rise_pairing = 0.014}, "pairing", false, 0}, // 0.7 % on average, more in the end
       {{.crystal = 0.5}, "crystal", false, 0},
