@@ -215,10 +215,17 @@ bool is_derived(std::string const& name) {
   return name == "s_J_kg_K" || name == "gruneisen" || name == "sound_speed_squared_m2_s2";
 }
 
+std::vector<std::pair<std::string, std::string>> data_columns_and_units() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (auto const& entry : known)
+    all.emplace_back(entry.symbols.front(), unit_names(entry));
+  return all;
+}
+
 std::string known_data_columns() {
   std::string text;
-  for (auto const& entry : known)
-    text += fmt::format("{} [{}], ", entry.symbols.front(), unit_names(entry));
+  for (auto const& [symbol, units] : data_columns_and_units())
+    text += fmt::format("{} [{}], ", symbol, units);
   return text + "each as name_unit; standard errors as name_se_unit; P_e_correlation; kind";
 }
 

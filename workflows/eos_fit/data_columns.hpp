@@ -28,6 +28,9 @@ bool is_remark(std::string const& name);
 /// `s_J_kg_K`, `gruneisen`, `sound_speed_squared_m2_s2`.
 bool is_derived(std::string const& name);
 
+/// All quantities, each with its units: {"rho", "kg_m3, g_cm3, ..."}.
+std::vector<std::pair<std::string, std::string>> data_columns_and_units();
+
 /// All quantities with their units, for help and messages: "rho [kg_m3, g_cm3], ...".
 std::string known_data_columns();
 

@@ -1,6 +1,7 @@
 #include "workflows/eos_fit/fit_command.hpp"
 #include "fitting/state_at_rest.hpp"
 #include "md/error.hpp"
+#include "workflows/eos_fit/column_guide.hpp"
 #include "workflows/eos_fit/data_columns.hpp"
 #include "workflows/eos_fit/data_file.hpp"
 #include "workflows/eos_fit/fit_report.hpp"
@@ -23,7 +24,7 @@ struct Options {
   std::string from, m0, region_rho, region_T;
   int bootstrap = 0;
   double error_floor = 0;
-  bool local = false;
+  bool local = false, columns = false;
 };
 
 double number(std::string const& text, std::string const& option, std::string const& whole) {
@@ -139,7 +140,19 @@ std::map<std::string, std::string> model_provenance(fitting::EosFit const& fit, 
           {"energy_offset_J_kg", fmt::format("{}", fit.energy_offset)}};
 }
 
+Result explain_columns() {
+  Result result{.text = column_guide()};
+  for (auto const& [symbol, units] : data_columns_and_units())
+    result.json["units"][symbol] = units;
+  return result;
+}
+
 Result run(fitting::FittableKind const& kind, Options const& options, Context const& context) {
+  if (options.columns)
+    return explain_columns();
+  if (options.data.empty())
+    throw InputError(fmt::format(
+        "fit {}: DATA, a file at least, must be given (--columns explains what is in it)", kind.name));
   auto const settings = fit_options(options, context);
   auto const data = read_all(options);
   for (auto const& note : data.notes)
@@ -176,8 +189,8 @@ void declare_options(CLI::App& app, Options& options) {
   app.add_option("data", options.data,
                  "CSV or HDF5 files. Columns: " + known_data_columns() +
                      ". A shock from rho0, T0 also says P(rho0, T0) = P0 (0 if there is none)")
-      ->required()
       ->type_name("DATA");
+  app.add_flag("--columns", options.columns, "Explain the rows and columns of data files, and end");
   auto const list = [&](char const* name, auto& target, char const* type, char const* text) {
     app.add_option(name, target, text)->type_name(type)->allow_extra_args(false);
   };
