@@ -35,6 +35,7 @@ extern Declaration const eos_znd_command;
 extern Declaration const eos_explosion_command;
 extern Declaration const eos_induction_command;
 extern Declaration const eos_isentrope_command;
+extern Declaration const eos_jwl_command;
 extern Declaration const eos_profile_command;
 extern Declaration const eos_riemann_command;
 extern Declaration const eos_plot_command;
@@ -180,6 +181,12 @@ std::vector<Command> commands() {
            "mesobridge eos induction --reactant nitromethane --product nitromethane-products --rho0 1104 "
            "--T0 300 --q 4.716e6 --Z 1e15 --Ea 3e-19 --vp 1764",
        .declare = eos_induction_command},
+      {.name = "eos jwl",
+       .summary = "A model of detonation products from published JWL numbers, and whether they agree",
+       .example =
+           "mesobridge eos jwl --rho0 \"1717 kg/m^3\" --A \"524.23 GPa\" --B \"7.678 GPa\" --R1 4.2 --R2 1.1 "
+           "--omega 0.34 --E0 \"8.5 GPa\" --D \"7980 m/s\" --P-CJ \"29.5 GPa\" --m0 \"227 u\" -o comp-b.toml",
+       .declare = eos_jwl_command},
       {.name = "eos isentrope",
        .summary = "A smooth compression or release at constant entropy (-o FILE.csv, .svg or .html)",
        .example = "mesobridge eos isentrope --model tin --rho0 9000 --T0 1500 --P 0",
