@@ -1,4 +1,5 @@
 #include "workflows/paraview_series.hpp"
+#include "md/error.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
@@ -16,7 +17,9 @@ struct FramePlaces {
 };
 
 void write_frame(std::filesystem::path const& file, Store const& trajectory, FramePlaces const& at) {
-  Store frame(file, Store::Mode::create);
+  auto unfinished = file;
+  unfinished += ".new";
+  Store frame(unfinished, Store::Mode::create);
   std::array<std::int64_t, 2> const format{1, 0};
   frame.set_attribute("VTKHDF", "Version", std::span<std::int64_t const>(format));
   frame.set_ascii_attribute("VTKHDF", "Type", "UnstructuredGrid");
@@ -33,6 +36,7 @@ void write_frame(std::filesystem::path const& file, Store const& trajectory, Fra
   for (auto const& name : trajectory.list(vtk_group + "PointData"))
     show("PointData/" + name, name == "id" ? 0 : at.points, at.particles);
   frame.close();
+  std::filesystem::rename(unfinished, file);
 }
 
 } // namespace
@@ -46,13 +50,17 @@ void write_paraview_series(std::filesystem::path const& trajectory) {
              points = from.read_integers(vtk_group + "Steps/PointOffsets"),
              particles = from.read_integers(vtk_group + "NumberOfPoints"),
              steps = from.read_integers("mesobridge/step");
-  auto const folder = trajectory.parent_path() / "trajectory-frames";
-  std::filesystem::create_directories(folder);
+  auto const folder = trajectory.parent_path() / paraview_frames;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   auto files = Json::array();
   for (std::size_t k = 0; k < times.size(); ++k) {
     auto const name = fmt::format("{:09}.hdf", steps.at(k));
-    write_frame(folder / name, from,
-                {parts.at(k), points.at(k), particles.at(static_cast<std::size_t>(parts.at(k)))});
+    if (!std::filesystem::exists(folder / name))
+      write_frame(folder / name, from,
+                  {parts.at(k), points.at(k), particles.at(static_cast<std::size_t>(parts.at(k)))});
     files.push_back({{"name", "trajectory-frames/" + name}, {"time", times[k]}});
   }
   auto series = trajectory;

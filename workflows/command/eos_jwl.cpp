@@ -106,13 +106,14 @@ Result jwl(JwlOptions const& given, Context const& context) {
   compare(result, context, "D_m_s", "D [m/s]", 1, set.D, cj.v_S);
   compare(result, context, "P_CJ_Pa", "P_CJ [GPa]", GPa, set.P_CJ, cj.behind.P);
   auto const file = context.options.output.value_or("jwl.toml");
-  write_text_file(file, fitting::to_toml({.eos = model,
-                                          .covariance_factor = {},
-                                          .valid = {},
-                                          .data_hash = "",
-                                          .provenance = {{"command", context.command_line()},
-                                                         {"program", "mesobridge " + version()}},
-                                          .fitted = {}}));
+  write_text_file(file, fitting::to_toml(fitting::EosModel{
+                            .eos = model,
+                            .covariance_factor = {},
+                            .valid = {},
+                            .data_hash = "",
+                            .provenance = {{"command", context.command_line()},
+                                           {"program", fmt::format("mesobridge {}", version())}},
+                            .fitted = {}}));
   result.json["model"] = file.string();
   result.text += file.string();
   return result;

@@ -19,11 +19,12 @@ namespace {
 using Folders = std::vector<std::filesystem::path>;
 
 void require_finished(sdpd::Checkpoint const& checkpoint, Scene const& scene, RunFolder const& folder) {
-  auto const wanted = static_cast<std::uint64_t>(scene.run.equilibrate + scene.run.steps);
-  if (checkpoint.step < wanted)
+  auto const done =
+      std::max<std::int64_t>(0, static_cast<std::int64_t>(checkpoint.step) - scene.run.equilibrate);
+  if (done < scene.run.steps)
     throw InputError(fmt::format("'{}' holds a run that was stopped after {} of {} steps: go on with `run "
                                  "{} -o {} --resume`",
-                                 folder.path().string(), checkpoint.step, wanted, folder.scene().string(),
+                                 folder.path().string(), done, scene.run.steps, folder.scene().string(),
                                  folder.path().string()));
 }
 

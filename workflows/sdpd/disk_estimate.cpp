@@ -100,7 +100,8 @@ double results(Scene const& scene, Particle const& of) {
 
 double trajectories(Scene const& scene, Particle const& of) {
   auto const N = static_cast<double>(particles_of(scene));
-  constexpr double vectors = 6; // of position and velocity
+  constexpr double vectors = 6;                // of position and velocity
+  constexpr double of_paraview_frame = 11.5e3; // in bytes, whatever it shows
   double const h5md = rows(scene, scene.run.trajectory_every), vtkhdf = rows(scene, scene.run.vtkhdf_every),
                xyz = rows(scene, scene.run.xyz_every);
   double const id = std::log10(N) + 3; // and the species
@@ -111,7 +112,7 @@ double trajectories(Scene const& scene, Particle const& of) {
              (6 + 2 * of.scalars) * growing(h5md, 1) + growing(h5md, 9);
   if (vtkhdf > 0)
     bytes += 2 * growing(vtkhdf * N, 3) + of.scalars * growing(vtkhdf * N, 1) +
-             (12 + of.scalars) * growing(vtkhdf, 1) + N * (3 * number + 1);
+             (12 + of.scalars) * growing(vtkhdf, 1) + N * (3 * number + 1) + vtkhdf * of_paraview_frame;
   return bytes;
 }
 

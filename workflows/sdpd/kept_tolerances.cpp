@@ -8,17 +8,25 @@
 namespace mesobridge::workflows {
 namespace {
 
-Json kept(double wanted, double found, double se) {
-  return {{"wanted", wanted}, {"found", found}, {"found_se", se}, {"fulfilled", found - 2 * se <= wanted}};
+/// `unit` ends the keys of numbers that have one.
+Json kept(std::string const& text, double wanted, double found, double se, std::string const& unit = "") {
+  return {{"tolerance", text},
+          {"wanted" + unit, wanted},
+          {"found" + unit, found},
+          {"found" + unit + "_se", se},
+          {"found_over_wanted", found / wanted},
+          {"found_over_wanted_se", se / wanted},
+          {"fulfilled", found - 2 * se <= wanted}};
 }
 
 /// Of the total energy; in scenes that something drives what is missing of the energy that was turned over.
 Json kept_drift(RunResult const& result, std::string const& text) {
   if (text.ends_with('%'))
-    return kept(parse_share(text), std::abs(result.summary.value("energy_balance_error", 0.0)), 0);
+    return kept(text, parse_share(text), std::abs(result.summary.value("energy_balance_error", 0.0)), 0);
   double const time = result.settings.units().time();
   auto const& drift = result.equilibrium.drift;
-  return kept(parse_rate(text, result.scene.units), std::abs(drift.rate) / time, drift.se / time);
+  return kept(text, parse_rate(text, result.scene.units), std::abs(drift.rate) / time, drift.se / time,
+              result.scene.units == UnitSystem::SI ? "_per_s" : "");
 }
 
 /// Of the temperatures, which are known; that of the pressure shows only beside shorter steps.
@@ -27,7 +35,7 @@ Json kept_bias(RunResult const& result, sdpd::Equilibrium const& e, std::string 
       !result.settings.features().energies ||
       std::abs(e.T_kin.mean - 1) - 2 * e.T_kin.se > std::abs(e.T_int.mean - 1) - 2 * e.T_int.se;
   auto const& T = kinetic ? e.T_kin : e.T_int;
-  return kept(parse_share(text), std::abs(T.mean - 1), T.se);
+  return kept(text, parse_share(text), std::abs(T.mean - 1), T.se);
 }
 
 /// Nothing of what was found in trials of the fluid at rest where something drives the run.

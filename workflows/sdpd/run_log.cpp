@@ -48,7 +48,7 @@ RunLog::RunLog(std::filesystem::path const& file, bool resume, std::string const
 
 void RunLog::thermo(std::int64_t done, sdpd::Observation const& observed) {
   auto title = fmt::format("{:>12}", "Step") + column("Time", si_ ? "s" : ""),
-       text = fmt::format("{:>12} {:>16.9g}", observed.step, static_cast<double>(done) * dt_ * units_.time);
+       text = fmt::format("{:>12} {:>16.9g}", done, static_cast<double>(done) * dt_ * units_.time);
   for (auto const& measured : measured_in_every_run(features_))
     if (measured.logged) {
       title += column(std::string(measured.name), si_ ? std::string(si_unit(measured.dimension)) : "");

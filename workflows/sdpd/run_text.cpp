@@ -101,8 +101,10 @@ std::string run_text(RunResult const& result) {
   }
   if (result.summary.contains("tolerances"))
     for (auto const& [name, kept] : result.summary["tolerances"].items())
-      text += fmt::format("{:<7} {} (wanted: {}), {}\n", name, number_text(kept["found"].get<double>(), 2),
-                          number_text(kept["wanted"].get<double>(), 2),
+      text += fmt::format("{:<7} {} ± {} of the tolerated {}: {}\n", name,
+                          number_text(kept["found_over_wanted"].get<double>(), 2),
+                          number_text(kept["found_over_wanted_se"].get<double>(), 2),
+                          kept["tolerance"].get<std::string>(),
                           kept["fulfilled"].get<bool>() ? "fulfilled" : "not fulfilled");
   return text + shock_text(result.summary, units, si) + detonation_text(result.summary, units, si) +
          flow_text(result.summary, units, si);

@@ -87,6 +87,9 @@ Trajectories::Trajectories(Scene const& scene, std::filesystem::path const& fold
   if (schedule_.trajectory_every > 0)
     h5md_.emplace(past.h5md > 0 ? H5mdWriter::continue_file(h5, h5md_units(si_))
                                 : H5mdWriter(h5, h5md_units(si_), provenance, periodic_axes(scene)));
+  std::error_code ignored; // there are none
+  if (past.vtkhdf == 0)
+    std::filesystem::remove_all(folder / paraview_frames, ignored);
   if (schedule_.vtkhdf_every > 0)
     vtkhdf_.emplace(past.vtkhdf > 0 ? VtkHdfWriter::continue_file(vtk) : VtkHdfWriter(vtk, provenance));
   if (schedule_.xyz_every > 0)

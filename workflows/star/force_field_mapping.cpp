@@ -1,4 +1,6 @@
 #include "workflows/star/force_field_mapping.hpp"
+#include "workflows/star/bond_style.hpp"
+#include "workflows/star/lj_mixing.hpp"
 #include "workflows/star/unit_style.hpp"
 #include <algorithm>
 #include <charconv>
@@ -31,37 +33,6 @@ std::pair<int, int> type_range(InputLine const& line, std::size_t word, int type
   return {whole(text.substr(0, star), 1), whole(text.substr(star + 1), types)};
 }
 
-/// The coefficients of a bond style that a mapping holds, by the names that both LAMMPS and the mapping have.
-struct BondStyle {
-  std::string_view name;
-  std::vector<char const*> coefficients;
-};
-
-std::vector<BondStyle> const& bond_styles() {
-  static std::vector<BondStyle> const styles{{"harmonic", {"K", "l"}},
-                                             {"fene", {"K", "R0", "epsilon", "sigma"}}};
-  return styles;
-}
-
-struct LennardJones {
-  double epsilon, sigma, cutoff;
-};
-
-enum class Mix { geometric, arithmetic, sixthpower };
-
-LennardJones mixed(LennardJones const& a, LennardJones const& b, Mix mix) {
-  double const energy = std::sqrt(a.epsilon * b.epsilon);
-  auto const sixth = [](double x, double y) {
-    return std::pow((std::pow(x, 6) + std::pow(y, 6)) / 2, 1.0 / 6);
-  };
-  if (mix == Mix::arithmetic)
-    return {energy, (a.sigma + b.sigma) / 2, (a.cutoff + b.cutoff) / 2};
-  if (mix == Mix::geometric)
-    return {energy, std::sqrt(a.sigma * b.sigma), std::sqrt(a.cutoff * b.cutoff)};
-  double const a3 = std::pow(a.sigma, 3), b3 = std::pow(b.sigma, 3);
-  return {2 * energy * a3 * b3 / (a3 * a3 + b3 * b3), sixth(a.sigma, b.sigma), sixth(a.cutoff, b.cutoff)};
-}
-
 /// The lines of settings and data file, read as far as a mapping holds them.
 class Terms {
  public:
@@ -77,7 +48,12 @@ class Terms {
   bool has_pairs() const { return has_pairs_; }
   bool shifted() const { return shifted_; }
 
-  BondStyle const& bond_style() const { return *bond_style_; }
+  BondStyle const& bond_style() const {
+    if (!bond_style_)
+      throw InputError(
+          "no bond_style is given, but there are bonds or bond_coeff: add the line to the settings");
+    return *bond_style_;
+  }
   std::vector<double> const& bond(int type) const {
     auto const found = bonds_.find(type);
     require(found != bonds_.end(), "bond_coeff", type, "no line gives this type's coefficients");
@@ -123,10 +99,12 @@ class Terms {
     if (style == "none" || style == "zero")
       return;
     if (command == "bond_style") {
-      auto const found = std::ranges::find(bond_styles(), style, &BondStyle::name);
-      if (found == bond_styles().end())
+      auto const* const found = bond_style_named(style);
+      if (!found)
         refuse(line, "a mapping holds the bond styles harmonic and fene alone");
-      bond_style_ = &*found;
+      if (bond_style_)
+        refuse(line, "a second bond style: LAMMPS forgets the coefficients of the first");
+      bond_style_ = found;
     } else if (command == "pair_style") {
       if (style != "lj/cut" && style != "lj/cut/opt")
         refuse(line, "a mapping holds the pair style lj/cut alone");
@@ -155,9 +133,7 @@ class Terms {
 
   void take_bond(InputLine const& line) {
     auto const [low, high] = type_range(line, 1, kind_.bonded_types[0]);
-    std::vector<double> values;
-    for (auto const* name : bond_style_->coefficients)
-      values.push_back(md::number_in(line, 2 + values.size(), name));
+    auto const values = bond_coefficients(line, bond_style());
     for (int type = low; type <= high; ++type)
       bonds_[type] = values;
   }
@@ -235,7 +211,7 @@ class Terms {
   Mix mix_ = Mix::geometric;
   std::array<double, 3> weights_{};
   std::string weights_origin_ = "special_bonds is not given";
-  BondStyle const* bond_style_ = &bond_styles().front();
+  BondStyle const* bond_style_ = nullptr; ///< none is given
   std::map<int, std::vector<double>> bonds_;
   std::map<std::pair<int, int>, LennardJones> pairs_;
 };
@@ -252,6 +228,8 @@ std::string toml_list(std::vector<Number> const& values) {
 }
 
 std::string bonds_text(md::MoleculeKind const& kind, Terms const& terms) {
+  if (kind.bonded[0].empty())
+    return "";
   auto const& style = terms.bond_style();
   std::vector<std::int64_t> a, b;
   std::vector<std::vector<double>> columns(style.coefficients.size());
@@ -261,8 +239,6 @@ std::string bonds_text(md::MoleculeKind const& kind, Terms const& terms) {
     for (std::size_t c = 0; c < columns.size(); ++c)
       columns[c].push_back(values[c]);
   }
-  if (a.empty())
-    return "";
   auto text = fmt::format("\n[bonds]\nstyle = \"{}\"\ncount = {}\na = {}\nb = {}\n", style.name, a.size(),
                           toml_list(a), toml_list(b));
   for (std::size_t c = 0; c < columns.size(); ++c)

@@ -30,7 +30,7 @@ TEST(StructureStudy, FindsPairsGlassesCrystalsAndFluids) {
   for (auto const& [of, kind] :
        {Case{{"wendland-c4", 65, 100}, StructureKind::fluid}, Case{{"cubic", 65, 1e3}, StructureKind::paired},
         Case{{"wendland-c4", 65, 1e4}, StructureKind::glass},
-        Case{{"wendland-c2", 65, 1e4}, StructureKind::crystal}}) {
+        Case{{"wendland-c2", 65, 1e6}, StructureKind::crystal}}) {
     auto const found =
         find_structure(of, {.kernels = {}, .neighbours = {}, .K = {}, .time = 120}, 1, [] { return true; });
     ASSERT_TRUE(found.failure.empty()) << found.failure;

@@ -269,6 +269,12 @@ TEST(Molecules, ThatAMappingCannotHoldAreRefusedByName) {
   };
   std::vector<Case> const cases{
       {"butane.data", molecules + "butane.settings", "'angle_style harmonic'"},
+      {"chain.data", changed("unnamed", "bond_style      harmonic", ""), "no bond_style is given"},
+      {"chain.data",
+       changed("twice", "bond_style      harmonic", "bond_style fene\nbond_style      harmonic"),
+       "a second bond style"},
+      {"star.data", changed("five", "1 10 1.615", "1 10 1.615 3"), "has the 2 coefficients K, l"},
+      {"star.data", changed("negative", "1 10 1.615", "1 -10 1.615"), "K = -10: must be > 0"},
       {"star.data", changed("morse", "bond_style      harmonic", "bond_style      morse"),
        "'bond_style morse'"},
       {"star.data", changed("weights", "lj 1 1 1", "lj 1 0 1"),
@@ -283,7 +289,7 @@ TEST(Molecules, ThatAMappingCannotHoldAreRefusedByName) {
     expect_refusal(program({"cg", "mapping", molecules + data, "--settings", settings, "-o",
                             (scratch / "no.toml").string()}),
                    2, said);
-  EXPECT_EQ(cases.size(), 9u);
+  EXPECT_EQ(cases.size(), 13u);
   EXPECT_FALSE(std::filesystem::exists(scratch / "no.toml"));
 }
 

@@ -210,7 +210,7 @@ TEST(AutomaticTimeStep, IsFoundStoredAndKeptOnResume) {
   EXPECT_NE(resolved.find("dt_chosen_for = \"drift 1e-4/ps\""), std::string::npos) << resolved;
   auto const summary = Json::parse(read_text_file(scratch / "a" / "summary.json"));
   auto const kept = summary["tolerances"]["drift"]; // per second
-  EXPECT_NEAR(kept["wanted"].get<double>(), 1e8, 1e-6);
+  EXPECT_NEAR(kept["wanted_per_s"].get<double>(), 1e8, 1e-6);
   double const rate = summary["energy_drift_per_s"], se = summary["energy_drift_per_s_se"];
   EXPECT_DOUBLE_EQ(kept["found"].get<double>(), std::abs(rate));
   EXPECT_EQ(kept["fulfilled"].get<bool>(), std::abs(rate) - 2 * se <= 1e8);
