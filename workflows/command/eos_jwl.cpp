@@ -87,7 +87,7 @@ void compare(Result& result, Context const& context, char const* key, char const
                              implied / unit, 100 * apart);
   if (!(std::abs(apart) <= much))
     context.log->warn(
-        "{}: the other numbers imply {:.6g}, {:+.2f} % from {:.6g}: is the set whole, and of one "
+        "warning: {}: the other numbers imply {:.6g}, {:+.2f} % from {:.6g}: is the set whole, and of one "
         "source?",
         label, implied / unit, 100 * apart, *published / unit);
 }

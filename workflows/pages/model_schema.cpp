@@ -48,6 +48,15 @@ Json described() {
   return variant(std::string(description.kind), {{table, closed_table(properties, required)}}, {table});
 }
 
+/// A model of a DPDE particle (fitting/particle_model_file.hpp), whose internal energy stands in that table;
+/// the tables' columns are checked where they are read.
+Json particle(std::string const& kind, std::string const& internal_energy) {
+  Json tables{{internal_energy, true}};
+  for (char const* other : {"temperature_unit", "state", "particle", "potential", "friction", "conduction"})
+    tables[other] = true;
+  return variant(kind, std::move(tables), {internal_energy});
+}
+
 } // namespace
 
 Json model_schema() {
@@ -70,8 +79,11 @@ Json model_schema() {
              variant("lj-kn", {{"units", units}}, Json::array()),
              variant("lj-thol", {{"units", units}}, Json::array())};
   fitting::for_each_described_model([&]<class Model>() { kinds.push_back(described<Model>()); });
+  for (auto const& [kind, internal_energy] :
+       {std::pair{"constant", "constant"}, {"heat-capacity", "heat_capacity"}, {"entropy", "entropy"}})
+    kinds.push_back(particle(kind, internal_energy));
   return {{"$schema", "http://json-schema.org/draft-07/schema#"},
-          {"title", "An equation of state of mesobridge"},
+          {"title", "A model of mesobridge: an equation of state, or a DPDE particle"},
           {"type", "object"},
           {"oneOf", kinds}};
 }

@@ -3,6 +3,7 @@
 #include "workflows/process.hpp"
 #include "workflows/store/store.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <regex>
 #include <sstream>
@@ -51,7 +52,9 @@ TEST(RunLog, HoldsTheNumbersOfTheSamples) {
   auto const result =
       run_process(words(folder, {"--set", "run.steps=1000", "--set", "particles.start=melted", "--quiet"}));
   ASSERT_EQ(result.status, 0) << result.errors;
-  EXPECT_EQ(result.errors, "");
+  EXPECT_TRUE(result.errors.empty() || result.errors.starts_with("warning: means rest on few"))
+      << result.errors;
+  EXPECT_LE(std::ranges::count(result.errors, '\n'), 1) << result.errors;
   auto const log = read_text_file(folder / "log.txt");
   for (std::string const text : {"mesobridge run ", "argon-1000K.toml", "1 thread(s)", "Argon at 1000 K",
                                  "T_kin[K]", "rho[kg/m^3]", "end\n"})
@@ -124,7 +127,7 @@ TEST(RunLog, ARunThatGoesOnAppends) {
   auto const both = read_text_file(folder / "log.txt");
   EXPECT_TRUE(both.starts_with(first));
   auto const rows = thermo(both);
-  EXPECT_EQ(rows.back()[0], 6064);
+  EXPECT_EQ(rows.back()[0], 6000);
   EXPECT_GE(rows.size(), 21u);
 }
 
