@@ -33,6 +33,20 @@ dihedral_coeff 1 1.41103 -0.27101 3.14503 0
 special_bonds lj 0 0 0.5
 )";
 
+/// Chains of ten beads that have come together from a thin start.
+md::MoleculeMeltSettings chain_melt(std::filesystem::path const& folder, int equilibration, int sampling) {
+  return {.data = examples / "chain.data",
+          .forces = examples / "chain.settings",
+          .replicate = {3, 3, 3},
+          .rho = 0.25,
+          .dt = 0.005,
+          .squeeze_steps = 400,
+          .equilibration_steps = equilibration,
+          .sampling_steps = sampling,
+          .checkpoint_every = 600,
+          .directory = folder};
+}
+
 class MoleculesTest : public ::testing::Test {
  protected:
   /// The frames of a run, stopped at a step; `blobs_` and `last_` are what it gave.
@@ -200,16 +214,7 @@ TEST_F(MoleculesTest, OfButaneHaveTheEnergyThatLammpsGivesOneAlone) {
 }
 
 TEST_F(MoleculesTest, OfChainsWithFeneBondsAddUp) {
-  run({.data = examples / "chain.data",
-       .forces = examples / "chain.settings",
-       .replicate = {3, 3, 3},
-       .rho = 0.25,
-       .dt = 0.005,
-       .squeeze_steps = 400,
-       .equilibration_steps = 2000,
-       .sampling_steps = 600,
-       .checkpoint_every = 600,
-       .directory = folder_.path()});
+  run(chain_melt(folder_.path(), 2000, 600));
   expect_sums(1e-3);
   for (std::size_t m = 0; m < 27; ++m) {
     auto const q = joined(m);
@@ -229,16 +234,7 @@ TEST_F(MoleculesTest, OfChainsWithFeneBondsAddUp) {
 }
 
 TEST_F(MoleculesTest, OfChainsHaveLammpssEnergiesByOurOwnLawsToo) {
-  run({.data = examples / "chain.data",
-       .forces = examples / "chain.settings",
-       .replicate = {3, 3, 3},
-       .rho = 0.25,
-       .dt = 0.005,
-       .squeeze_steps = 400,
-       .equilibration_steps = 200,
-       .sampling_steps = 200,
-       .checkpoint_every = 600,
-       .directory = folder_.path()});
+  run(chain_melt(folder_.path(), 200, 200));
   MoleculeModel model{.masses = std::vector<double>(10, 1.0),
                       .types = std::vector<int>(10, 0),
                       .pairs = {PairLaw(1, 1, md::wca_cutoff(), true)},
