@@ -57,8 +57,9 @@ Scene with_models_at(Scene scene, std::filesystem::path const& folder) {
     model = place.string();
   };
   relative(scene.fluid.eos);
-  if (scene.reaction.product)
-    relative(*scene.reaction.product);
+  for (auto* const model : {&scene.reaction.product, &scene.particles.model})
+    if (*model)
+      relative(**model);
   return scene;
 }
 

@@ -212,7 +212,7 @@ TEST(AutomaticTimeStep, IsFoundStoredAndKeptOnResume) {
   auto const kept = summary["tolerances"]["drift"]; // per second
   EXPECT_NEAR(kept["wanted_per_s"].get<double>(), 1e8, 1e-6);
   double const rate = summary["energy_drift_per_s"], se = summary["energy_drift_per_s_se"];
-  EXPECT_DOUBLE_EQ(kept["found"].get<double>(), std::abs(rate));
+  EXPECT_DOUBLE_EQ(kept["found_per_s"].get<double>(), std::abs(rate));
   EXPECT_EQ(kept["fulfilled"].get<bool>(), std::abs(rate) - 2 * se <= 1e8);
   EXPECT_EQ(resolved.find("auto\"\ndrift"), std::string::npos) << resolved;
   auto rows = [&](std::string const& name) {
