@@ -35,8 +35,8 @@ std::size_t stationary_from(std::span<double const> series) {
   return moves_the_mean ? start + further : start;
 }
 
-/// Fewer do not tell their own error, though that counts in them already (cg/README.md, Eq. (C51)): five of
-/// these are about ten by the window of (C1) alone.
+/// Fewer do not tell their own error. Their number allows for its uncertainty (cg/README.md, Eq. (C51)):
+/// short states of copper that had ten and more by (C50) alone have 5.5 and 9.3.
 constexpr double least_independent = 5;
 
 [[noreturn]] void throw_too_short(double rho, double T, double independent) {

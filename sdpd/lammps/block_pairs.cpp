@@ -1,7 +1,9 @@
+#include "md/error.hpp"
 #include "sdpd/lammps/block_sweep.hpp"
 #include "sdpd/neighbours/matchings.hpp"
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 // The cells of a sweep, the blocks that they make and the pairs in these.
 
@@ -88,6 +90,11 @@ void BlockSweep::add_block(RankParticles const& particles, Cell const& base) {
     block_.insert(block_.end(), here.begin(), here.end());
   }
   std::size_t const end = cells_[8] = block_.size();
+  constexpr std::size_t most = std::numeric_limits<decltype(LocalPair::i)>::max() - 1; // with two phantoms
+  if (end > most)
+    throw PhysicsError(fmt::format("{} particles crowd into a few neighbouring cells (at most {} can be "
+                                   "handled): the system has collapsed",
+                                   end, most));
   auto const place = [&](Member const& of) {
     double const* const q = particles.q + 3 * std::size_t{of.place};
     return Vec3{q[0], q[1], q[2]};

@@ -78,7 +78,7 @@ void compare(Result& result, Context const& context, char const* key, char const
              std::optional<double> published, double implied) {
   result.json[fmt::format("{}_implied", key)] = implied;
   if (!published) {
-    result.text += fmt::format("{:<10} {:>12} {:>12.6g}\n", label, "", implied / unit);
+    result.text += fmt::format("{:<15} {:>12} {:>12.6g}\n", label, "", implied / unit);
     return;
   }
   double const apart = implied / *published - 1;
@@ -98,7 +98,7 @@ Result jwl(JwlOptions const& given, Context const& context) {
   auto const model = model_of(set, given);
   auto const cj = own_detonation(model);
   Result result;
-  result.text = fmt::format("{:<10} {:>12} {:>12} {:>11}\n", "", "published", "implied", "apart");
+  result.text = fmt::format("{:<15} {:>12} {:>12} {:>11}\n", "", "published", "implied", "apart");
   constexpr double GPa = 1e9;
   compare(result, context, "C_Pa", "C [GPa]", GPa, set.C, implied.C);
   compare(result, context, "E_0_J_m3", "E0 [GJ/m^3]", GPa, set.E_0, implied.E_0);
