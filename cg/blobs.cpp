@@ -36,23 +36,33 @@ void BlobMaker::join(std::span<Vec3 const> q, Box const& box) {
   }
 }
 
+Vec3 BlobMaker::extents(Box const& box) const {
+  Vec3 low, high;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    Vec3 const across = box.across({x_[i], y_[i], z_[i]});
+    if (i == 0)
+      low = high = across;
+    low = {std::min(low.x, across.x), std::min(low.y, across.y), std::min(low.z, across.z)};
+    high = {std::max(high.x, across.x), std::max(high.y, across.y), std::max(high.z, across.z)};
+  }
+  return high - low;
+}
+
 double BlobMaker::width_in(Box const& box, double reach) const {
-  auto const along = [&](std::vector<double> const& values, double edge, char axis) {
-    auto const [low, high] = std::minmax_element(values.begin(), values.end());
-    double const width = *high - *low;
+  auto const fits = [&](double width, double edge, char const* axis) {
     if (!(width < edge - reach))
-      throw PhysicsError(
-          fmt::format("a molecule is {:.4g} wide along {}: in a box with the edge {:.4g} it meets "
-                      "its own image. Take a larger box (more molecules)",
-                      width, axis, edge));
+      throw PhysicsError(fmt::format("a molecule is {:.4g} wide along {}: in a box {:.4g} wide it meets "
+                                     "its own image. Take a larger box (more molecules)",
+                                     width, axis, edge));
     if (!whole_ && !(width <= edge / 2))
       throw PhysicsError(fmt::format(
-          "a molecule that bonds do not join is {:.4g} wide along {}, more than half the box edge {:.4g}: "
+          "a molecule that bonds do not join is {:.4g} wide along {}, more than half of the box, {:.4g}: "
           "nearest images do not tell where its parts are. Take a larger box (more molecules)",
           width, axis, edge));
     return width;
   };
-  return std::max({along(x_, box.edge.x, 'x'), along(y_, box.edge.y, 'y'), along(z_, box.edge.z, 'z')});
+  Vec3 const own = extents(box), room = box.widths();
+  return std::max({fits(own.x, room.x, "x"), fits(own.y, room.y, "y"), fits(own.z, room.z, "z")});
 }
 
 double BlobMaker::energy_inside() const {
@@ -117,10 +127,10 @@ void refuse_large_molecules(BlobFrame const& frame) {
   double sum = 0;
   for (auto const& blob : frame.blobs)
     sum += blob.width;
-  double const edge = std::min({frame.box.edge.x, frame.box.edge.y, frame.box.edge.z});
+  double const edge = frame.box.narrowest();
   if (double const mean = sum / double(frame.blobs.size()); !(mean <= edge / 2))
     throw PhysicsError(
-        fmt::format("the molecules are {:.4g} wide on average, more than half the box edge {:.4g}. "
+        fmt::format("the molecules are {:.4g} wide on average, more than half of the box, {:.4g}. "
                     "Take a larger box (more molecules)",
                     mean, edge));
 }

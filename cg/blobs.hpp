@@ -14,7 +14,8 @@ struct Blob {
   double U_kin = 0; ///< kinetic energy relative to the centre of mass
   double U_pot = 0; ///< potential energy inside the molecule: pairs and bonds
   double Phi = 0;   ///< half of the potential energy with the other molecules
-  double width = 0; ///< the largest of its extents along x, y and z
+  double width =
+      0; ///< the largest of its extents across the box's faces: along x, y and z if it is not tilted
 
   double U() const { return U_kin + U_pot; }
   double internal_energy() const { return U() + Phi; }
@@ -55,6 +56,7 @@ class BlobMaker {
 
  private:
   void join(std::span<Vec3 const> q, Box const& box);
+  Vec3 extents(Box const& box) const; ///< across its faces
   double width_in(Box const& box, double reach) const;
   double energy_inside() const;
 

@@ -16,8 +16,7 @@ struct Lags {
 };
 
 double half_edge(BlobSeries const& series) {
-  auto const& edge = series.boxes.front().edge;
-  return 0.5 * std::min({edge.x, edge.y, edge.z});
+  return 0.5 * series.boxes.front().narrowest();
 }
 
 void check(BlobSeries const& series, ExchangeSettings const& settings) {

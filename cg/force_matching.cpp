@@ -44,9 +44,9 @@ void check(MoleculeForces const& forces, ForceMatchingSettings const& settings) 
           fmt::format("at least {} are needed for a standard error", least_blocks));
   double half = settings.cutoff;
   for (auto const& box : forces.boxes)
-    half = std::min(half, 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z}));
+    half = std::min(half, 0.5 * box.narrowest());
   require(settings.cutoff > 0 && settings.cutoff <= half * (1 + 1e-9), "cutoff", settings.cutoff,
-          fmt::format("must be above 0, and within half of the box's shortest edge, {:g}", half));
+          fmt::format("must be above 0, and within half of the box's narrowest width, {:g}", half));
   require(bins_within(settings) >= 8, "bins within the cut-off", bins_within(settings),
           "at least 8 are needed");
   require(std::ranges::any_of(forces.F, [](Vec3 const& F) { return norm2(F) > 0; }), "forces on molecules", 0,

@@ -16,7 +16,7 @@ struct MoleculeForces {
 };
 
 struct ForceMatchingSettings {
-  double cutoff = 0;  ///< of the force, within half of the box's shortest edge; rounded to whole bins
+  double cutoff = 0;  ///< of the force, within half of the box's narrowest width; rounded to whole bins
   double width = 0.2; ///< of the bins, in whose middles the result stands
   double knots = 0.4; ///< most distance of the knots
   double least_g =

@@ -13,7 +13,7 @@ struct HeldConfiguration {
   double kT = 0;       ///< of the motion about the centres, its mean
 };
 
-/// Pairs in bins of their distance, up to half of the box's shortest edge, and what their forces say. Each
+/// Pairs in bins of their distance, up to half of the box's narrowest width, and what their forces say. Each
 /// bin is divided into finer ones, where pairs are counted alone.
 struct PairCorrelations {
   static constexpr std::size_t fine = 10; ///< of a bin

@@ -12,7 +12,8 @@ class CellGrid {
   CellGrid(std::span<Vec3 const> q, Box const& box, double reach) : box_(box) {
     double const most = std::cbrt(double(q.size())) + 1; // along an axis: about a cell for each atom
     auto const count = [&](double edge) { return std::max(1, int(std::min(edge / reach, most))); };
-    nx_ = count(box.edge.x), ny_ = count(box.edge.y), nz_ = count(box.edge.z);
+    Vec3 const widths = box.widths();
+    nx_ = count(widths.x), ny_ = count(widths.y), nz_ = count(widths.z);
     cells_.resize(std::size_t(nx_) * std::size_t(ny_) * std::size_t(nz_));
     for (std::size_t i = 0; i < q.size(); ++i)
       cells_[index(q[i])].push_back(i);
@@ -21,9 +22,7 @@ class CellGrid {
   /// Atoms in the cells about a position, each once.
   template <class Visit>
   void for_each_near(Vec3 const& q, Visit const& visit) const {
-    Vec3 const r = box_.wrap(q);
-    int const x = place(r.x, box_.edge.x, nx_), y = place(r.y, box_.edge.y, ny_),
-              z = place(r.z, box_.edge.z, nz_);
+    auto const [x, y, z] = place(q);
     for (int i : around(x, nx_))
       for (int j : around(y, ny_))
         for (int k : around(z, nz_))
@@ -32,7 +31,12 @@ class CellGrid {
   }
 
  private:
-  static int place(double value, double edge, int n) { return std::min(n - 1, int(value / edge * n)); }
+  /// The cell of a position.
+  std::array<int, 3> place(Vec3 const& q) const {
+    Vec3 const s = box_.parts(box_.wrap(q));
+    auto const along = [](double part, int n) { return std::clamp(int(part * n), 0, n - 1); };
+    return {along(s.x, nx_), along(s.y, ny_), along(s.z, nz_)};
+  }
   /// The cell and its neighbours along one axis; each once where there are fewer than three.
   static std::vector<int> around(int at, int n) {
     std::vector<int> list{at};
@@ -45,8 +49,8 @@ class CellGrid {
     return (std::size_t(i) * std::size_t(ny_) + std::size_t(j)) * std::size_t(nz_) + std::size_t(k);
   }
   std::size_t index(Vec3 const& q) const {
-    Vec3 const r = box_.wrap(q);
-    return flat(place(r.x, box_.edge.x, nx_), place(r.y, box_.edge.y, ny_), place(r.z, box_.edge.z, nz_));
+    auto const [x, y, z] = place(q);
+    return flat(x, y, z);
   }
 
   Box const& box_;
@@ -65,8 +69,7 @@ Intermolecular intermolecular(MoleculeModel const& model, std::span<Vec3 const> 
                         .F = std::vector<Vec3>(q.size() / n, Vec3{})};
   if (reach == 0)
     return result;
-  double const narrowest = std::min({box.edge.x, box.edge.y, box.edge.z});
-  require(narrowest >= 2 * reach, "narrowest edge of the box", narrowest,
+  require(box.narrowest() >= 2 * reach, "narrowest width of the box", box.narrowest(),
           fmt::format("must be at least two cut-offs, {}", 2 * reach));
   CellGrid const grid(q, box, reach);
   for (std::size_t i = 0; i < q.size(); ++i)

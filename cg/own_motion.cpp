@@ -47,9 +47,8 @@ void require_known_ways(BlobSeries const& series, std::vector<Vec3> const& ways)
   std::size_t const N = series.molecules;
   for (std::size_t k = 1; k < series.frames(); ++k)
     for (std::size_t m = 0; m < N; ++m) {
-      Vec3 const step = ways[k * N + m] - ways[(k - 1) * N + m], edge = series.boxes[k].edge;
-      double const share =
-          std::max({std::abs(step.x) / edge.x, std::abs(step.y) / edge.y, std::abs(step.z) / edge.z});
+      Vec3 const step = series.boxes[k].parts(ways[k * N + m] - ways[(k - 1) * N + m]);
+      double const share = std::max({std::abs(step.x), std::abs(step.y), std::abs(step.z)});
       require(share < 0.4, "step of a molecule between two frames, in edges of the box", share,
               "must be below 0.4, or its way round the box is not known; write frames more often");
     }

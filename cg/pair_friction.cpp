@@ -34,9 +34,9 @@ void check(std::vector<HeldConfiguration> const& all, FrictionSettings const& se
 }
 
 std::size_t bins_of(std::vector<HeldConfiguration> const& all, double width) {
-  double half = all[0].box.edge.x / 2;
+  double half = all[0].box.narrowest() / 2;
   for (auto const& one : all)
-    half = std::min({half, one.box.edge.x / 2, one.box.edge.y / 2, one.box.edge.z / 2});
+    half = std::min(half, one.box.narrowest() / 2);
   require(width >= 1e-3 * half && 4 * width <= half, "width of the bins", width,
           fmt::format("4 to 1000 of them must be within half of the box, {:.4g}", half));
   return std::size_t(half / width * (1 + 1e-12));

@@ -39,7 +39,7 @@ PairStatistics::PairStatistics(BlobSeries const& series, CorrelationSettings con
   require(settings.bin_width > 0, "bin width of g(r)", settings.bin_width, "must be > 0");
   double half_edge = std::numeric_limits<double>::infinity();
   for (auto const& box : series.boxes)
-    half_edge = std::min({half_edge, box.edge.x / 2, box.edge.y / 2, box.edge.z / 2});
+    half_edge = std::min(half_edge, box.narrowest() / 2);
   require(settings.h > 0 && settings.h <= half_edge, "range h of the density", settings.h,
           fmt::format("must be in (0, {:.4g}], half the box", half_edge));
   r_max_ = std::floor(std::min(farthest, half_edge) / settings.bin_width) * settings.bin_width;

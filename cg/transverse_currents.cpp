@@ -11,9 +11,11 @@ namespace {
 
 constexpr double same_length = 1e-6; // of wave vectors of one shell, relative
 
+/// The wave vector of which so many wave lengths lie along each edge of the box.
 Vec3 vector_of(std::array<int, 3> const& waves, Box const& box) {
-  double const turn = 2 * std::numbers::pi;
-  return {turn * waves[0] / box.edge.x, turn * waves[1] / box.edge.y, turn * waves[2] / box.edge.z};
+  double const turn = 2 * std::numbers::pi, x = turn * waves[0] / box.edge.x,
+               y = (turn * waves[1] - box.xy * x) / box.edge.y;
+  return {x, y, (turn * waves[2] - box.xz * x - box.yz * y) / box.edge.z};
 }
 
 /// Of k and -k, which tell the same, the one whose first number that is not 0 is positive.
@@ -43,9 +45,8 @@ struct Wave {
 };
 
 void require_one_box(BlobSeries const& series) {
-  Vec3 const edge = series.boxes.front().edge;
   for (auto const& box : series.boxes)
-    require(norm2(box.edge - edge) < 1e-18 * norm2(edge), "edges of the box", norm(box.edge),
+    require(box.is_that(series.boxes.front()), "edges of the box", norm(box.edge),
             "must be the same in all frames for the waves that fit into it");
 }
 
@@ -71,10 +72,13 @@ void add_frame(BlobSeries const& series, std::size_t frame, std::vector<Vec3> co
 
 std::vector<WaveShell> wave_shells(Box const& box, double reach) {
   require(reach >= 1 && reach <= 6, "longest wave vector, in shortest ones", reach, "must be 1 ... 6");
-  double const longest = std::max({box.edge.x, box.edge.y, box.edge.z}),
-               k_max = reach * 2 * std::numbers::pi / longest * (1 + same_length);
+  Vec3 const widths = box.widths();
+  double const widest = std::max({widths.x, widths.y, widths.z}),
+               longest =
+                   std::max({box.edge.x, std::hypot(box.edge.y, box.xy), norm({box.xz, box.yz, box.edge.z})}),
+               k_max = reach * 2 * std::numbers::pi / widest * (1 + same_length);
   std::vector<WaveShell> shells;
-  int const most = int(reach);
+  int const most = int(reach * (longest / widest));
   for (int x = 0; x <= most; ++x)
     for (int y = -most; y <= most; ++y)
       for (int z = -most; z <= most; ++z) {

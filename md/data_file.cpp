@@ -85,9 +85,9 @@ class Reader {
     if (bounds.ends_with("lo " + std::string(1, bounds[0]) + "hi") && bounds.size() == 7)
       return edge(line, bounds[0]);
     if (joined(line.words, 3) == "xy xz yz") {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (double const tilt = number_in(line, k, "tilt"); tilt != 0)
-          refuse_line(line, fmt::format("tilt = {}: must be 0: only rectangular boxes are read", tilt));
+      auto& box = data_.box;
+      box.xy = number_in(line, 0, "tilt"), box.xz = number_in(line, 1, "tilt"),
+      box.yz = number_in(line, 2, "tilt");
       return;
     }
     if (name == "atoms")

@@ -25,7 +25,7 @@ struct DataAtom {
   Vec3 q;
 };
 
-/// A data file as LAMMPS's read_data takes it, of atoms with molecules in a rectangular box.
+/// A data file as LAMMPS's read_data takes it, of atoms with molecules.
 struct DataFile {
   std::filesystem::path file;
   std::string atom_style; ///< bond, angle, molecular or full

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/os.h>
 #include <map>
+#include <optional>
 
 namespace mesobridge::md {
 namespace {
@@ -91,26 +92,20 @@ MoleculeKind kind_of(DataFile const& data, std::vector<std::size_t> const& list,
   return kind;
 }
 
-/// Throws InputError that names what differs.
-void require_equal(MoleculeKind const& first, MoleculeKind const& other, std::int64_t first_number,
-                   std::int64_t number, std::string const& file) {
-  auto const refuse = [&](std::string const& what) {
-    throw InputError(
-        fmt::format("{}: molecule {} differs from molecule {} in {}: all must be equal, with their "
-                    "atoms in the same order",
-                    file, number, first_number, what));
-  };
+/// What differs between two kinds; without a value: nothing.
+std::optional<std::string> difference(MoleculeKind const& first, MoleculeKind const& other) {
   if (other.atoms() != first.atoms())
-    refuse(fmt::format("the number of atoms, {} and {}", other.atoms(), first.atoms()));
+    return fmt::format("the number of atoms, {} and {}", other.atoms(), first.atoms());
   for (std::size_t i = 0; i < first.types.size(); ++i) {
     if (other.types[i] != first.types[i])
-      refuse(fmt::format("the type of its atom {}, {} and {}", i + 1, other.types[i], first.types[i]));
+      return fmt::format("the type of its atom {}, {} and {}", i + 1, other.types[i], first.types[i]);
     if (other.charges[i] != first.charges[i])
-      refuse(fmt::format("the charge of its atom {}, {} and {}", i + 1, other.charges[i], first.charges[i]));
+      return fmt::format("the charge of its atom {}, {} and {}", i + 1, other.charges[i], first.charges[i]);
   }
   for (std::size_t kind = 0; kind < 4; ++kind)
     if (other.bonded[kind] != first.bonded[kind])
-      refuse(fmt::format("its {}s", bonded_names[kind]));
+      return fmt::format("its {}s", bonded_names[kind]);
+  return std::nullopt;
 }
 
 std::vector<std::pair<int, int>> bonds_of(MoleculeKind const& kind) {
@@ -141,25 +136,40 @@ std::vector<double> MoleculeKind::masses() const {
   return list;
 }
 
-Molecules equal_molecules(DataFile const& data) {
+std::vector<Molecules> molecules_by_kind(DataFile const& data) {
   auto const members = members_of(data);
   auto terms = terms_of(data, members);
-  auto const& [first_number, first_list] = *members.begin();
-  Molecules molecules{.kind = kind_of(data, first_list, terms[first_number]),
-                      .count = int(members.size()),
-                      .box = data.box,
-                      .q = {}};
+  std::vector<Molecules> kinds;
   for (auto const& [number, list] : members) {
-    require_equal(molecules.kind, kind_of(data, list, terms[number]), first_number, number,
-                  data.file.string());
+    auto kind = kind_of(data, list, terms[number]);
+    auto at = std::ranges::find_if(kinds, [&](Molecules const& of) { return !difference(of.kind, kind); });
+    if (at == kinds.end())
+      at = kinds.insert(at, {.kind = std::move(kind), .box = data.box, .q = {}});
+    ++at->count;
     for (auto const i : list)
-      molecules.q.push_back(data.atoms[i].q - data.low);
+      at->ids.push_back(data.atoms[i].id), at->q.push_back(data.atoms[i].q - data.low);
   }
   for (std::size_t type = 0; type < data.masses.size(); ++type)
     require(data.masses[type] > 0, data.file.string(), fmt::format("mass of atom type {}", type + 1),
             "must be there, in a section 'Masses' or as 'mass' in the settings");
-  join(molecules);
-  return molecules;
+  for (auto& molecules : kinds)
+    join(molecules);
+  return kinds;
+}
+
+Molecules equal_molecules(DataFile const& data) {
+  auto kinds = molecules_by_kind(data);
+  if (kinds.size() > 1) {
+    auto const number_of = [&](Molecules const& of) {
+      return std::ranges::find(data.atoms, of.ids[0], &DataAtom::id)->molecule;
+    };
+    throw InputError(
+        fmt::format("{}: molecule {} differs from molecule {} in {}: all must be equal, with their "
+                    "atoms in the same order (a trajectory of several kinds: cg mapping --kind)",
+                    data.file.string(), number_of(kinds[1]), number_of(kinds[0]),
+                    *difference(kinds[0].kind, kinds[1].kind)));
+  }
+  return std::move(kinds[0]);
 }
 
 Molecules replicated(Molecules const& molecules, std::array<int, 3> const& times) {
@@ -200,7 +210,10 @@ void write_data_file(std::filesystem::path const& file, MoleculeKind const& kind
     if (kind.bonded_types[k] > 0)
       out.print("{0} {1}s\n{2} {1} types\n", count * kind.bonded[k].size(), bonded_names[k],
                 kind.bonded_types[k]);
-  out.print("0 {} xlo xhi\n0 {} ylo yhi\n0 {} zlo zhi\n\nMasses\n\n", box.edge.x, box.edge.y, box.edge.z);
+  out.print("0 {} xlo xhi\n0 {} ylo yhi\n0 {} zlo zhi\n", box.edge.x, box.edge.y, box.edge.z);
+  if (box.tilted())
+    out.print("{} {} {} xy xz yz\n", box.xy, box.xz, box.yz);
+  out.print("\nMasses\n\n");
   for (std::size_t type = 0; type < kind.masses_of_types.size(); ++type)
     out.print("{} {}\n", type + 1, kind.masses_of_types[type]);
   out.print("\nAtoms # {}\n\n", kind.atom_style);

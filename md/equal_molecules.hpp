@@ -24,15 +24,19 @@ struct Molecules {
   MoleculeKind kind;
   int count = 0;
   Box box;
+  std::vector<std::int64_t> ids{}; ///< of the atoms in the data file, as those of q; empty: none
   std::vector<Vec3> q; ///< number molecule * atoms + atom; each molecule whole, from a corner at the origin
 };
 
-/// The molecules of a data file, in the order of their numbers. Throws InputError that names molecule and
-/// atom for atoms of no molecule, bonded terms between molecules and molecules that are not equal in types,
-/// charges and bonded terms, and for masses that are missing.
+/// The molecules of a data file by their kinds, equal in types, charges and bonded terms; kinds in the order
+/// of their first molecules, molecules in that of their numbers. Throws InputError that names molecule and
+/// atom for atoms of no molecule, bonded terms between molecules, and for masses that are missing.
+std::vector<Molecules> molecules_by_kind(DataFile const& data);
+
+/// The molecules of a data file that has one kind. Throws InputError that also names what differs.
 Molecules equal_molecules(DataFile const& data);
 
-/// The box and what is in it, once more beside itself along each edge.
+/// The rectangular box and what is in it, once more beside itself along each edge.
 Molecules replicated(Molecules const& molecules, std::array<int, 3> const& times);
 
 /// The largest extent along an axis, on average over the molecules.

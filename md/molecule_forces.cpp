@@ -90,7 +90,10 @@ void MoleculeSystem::prepare(LammpsSession& lammps) const {
 }
 
 void MoleculeSystem::set_forces(LammpsSession& lammps) const {
-  if (double const widest = widest_term(molecules); widest > 0)
+  double widest = widest_term(molecules);
+  for (auto const& other : others)
+    widest = std::max(widest, widest_term(other));
+  if (widest > 0)
     lammps.command("comm_modify cutoff {}", room_for_terms * widest);
   lammps.command("neigh_modify every 1 delay 0 check yes");
   // What was set so far holds unless the settings say otherwise.
@@ -99,7 +102,8 @@ void MoleculeSystem::set_forces(LammpsSession& lammps) const {
 }
 
 MoleculeSystem read_molecule_system(std::filesystem::path const& data_file,
-                                    std::filesystem::path const& settings, MoleculeStyles const& styles) {
+                                    std::filesystem::path const& settings, MoleculeStyles const& styles,
+                                    std::optional<int> kind) {
   ForceField forces(settings);
   auto data =
       read_data_file(data_file, agreed(styles.atom_style, forces.atom_style(), "--atom-style", settings));
@@ -109,54 +113,105 @@ MoleculeSystem read_molecule_system(std::filesystem::path const& data_file,
   require(std::ranges::find(unit_styles, units) != unit_styles.end(), "units", units,
           "must be lj, real, metal, si, cgs, micro or nano");
   take_masses(data, forces);
-  return {.molecules = equal_molecules(data),
-          .forces = std::move(forces),
-          .units = units,
-          .coefficients = std::move(data.coefficients)};
+  auto kinds = kind ? molecules_by_kind(data) : std::vector{equal_molecules(data)};
+  int const chosen = kind.value_or(1);
+  require(chosen >= 1 && chosen <= int(kinds.size()), "--kind", chosen,
+          fmt::format("must be 1 ... {}, a kind of molecules of '{}'", kinds.size(), data_file.string()));
+  auto const at = kinds.begin() + (chosen - 1);
+  MoleculeSystem system{.data = data_file,
+                        .molecules = std::move(*at),
+                        .forces = std::move(forces),
+                        .units = units,
+                        .coefficients = std::move(data.coefficients)};
+  kinds.erase(at);
+  system.others = std::move(kinds);
+  return system;
 }
 
-InsideEnergies::InsideEnergies(MpiWorld const& world, MoleculeSystem const& system,
-                               std::filesystem::path folder)
-    : world_(world), system_(system), folder_(std::move(folder)) {}
+FrameEnergies::FrameEnergies(MpiWorld const& world, MoleculeSystem const& system, Of what,
+                             std::filesystem::path folder)
+    : world_(world), system_(system), what_(what), folder_(std::move(folder)) {}
 
-void InsideEnergies::start(MoleculeFrame const& frame) {
-  auto const stem = folder_ / fmt::format("inside-{}", world_.rank());
+void FrameEnergies::start(std::span<Vec3 const> q, Box const& box) {
+  bool const inside = what_ == Of::inside_molecules;
+  auto const stem = folder_ / fmt::format("{}-{}", inside ? "inside" : "whole", world_.rank());
   auto const log = stem.string() + ".log", data = stem.string() + ".data";
   FilesOfAMoment const files{{log, data}};
   lammps_.emplace(world_, Ranks::own, log);
   system_.prepare(*lammps_);
   lammps_->command("atom_modify sort 0 0.0"); // sums in the same order, however often it was asked
-  write_data_file(data, system_.molecules.kind, frame.q, frame.box);
-  lammps_->command_with_file("read_data", data);
+  lammps_->command("box tilt large");
+  if (inside) {
+    write_data_file(data, system_.molecules.kind, q, box);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      place_[std::int64_t(i + 1)] = i;
+  } else {
+    auto const count = [&](Molecules const& of) {
+      for (auto const id : of.ids)
+        place_.try_emplace(id, place_.size());
+    };
+    count(system_.molecules);
+    for (auto const& other : system_.others)
+      count(other);
+  }
+  lammps_->command_with_file("read_data", inside ? std::filesystem::path(data) : system_.data);
   system_.set_forces(*lammps_);
-  lammps_->command("neigh_modify exclude molecule/inter all");
+  if (inside)
+    lammps_->command("neigh_modify exclude molecule/inter all");
   lammps_->command("neighbor 0 bin"); // each frame makes its lists anew, of pairs within the cut-off
+  box_ = inside ? box : system_.molecules.box;
+  if (!inside)
+    take_box(box);
   lammps_->command("run 0 post no");
   lammps_->command("log none");
   reach_ = list_distance(log);
 }
 
+void FrameEnergies::take_box(Box const& box) {
+  if (box.tilted() && !box_.tilted())
+    lammps_->command("change_box all triclinic");
+  auto command = fmt::format("change_box all x final 0 {} y final 0 {} z final 0 {}", box.edge.x, box.edge.y,
+                             box.edge.z);
+  if (box.tilted() || box_.tilted())
+    command += fmt::format(" xy final {} xz final {} yz final {}", box.xy, box.xz, box.yz);
+  lammps_->command(command + " units box");
+  box_ = box;
+}
+
+AtomEnergies FrameEnergies::of(std::span<Vec3 const> q, Box const& box) {
+  try {
+    if (!lammps_)
+      start(q, box);
+    if (!box.is_that(box_))
+      take_box(box);
+    lammps_->set_positions([&](std::int64_t id) { return box.wrap(q[place_.at(id)]); });
+    lammps_->command("run 0 post no");
+  } catch (LammpsError const& error) {
+    throw InputError(fmt::format("'{}': the energies of the molecules cannot be told: {}",
+                                 system_.forces.file().string(), error.what()));
+  }
+  auto const atoms = lammps_->owned_atoms(atom_energy_compute);
+  AtomEnergies told{std::vector<double>(q.size()), std::vector<Vec3>(q.size()), reach_};
+  for (std::size_t i = 0; i < atoms.ids.size(); ++i) {
+    auto const at = place_.at(atoms.ids[i]);
+    told.potential[at] = atoms.potential[i], told.f[at] = atoms.f[i];
+  }
+  return told;
+}
+
+InsideEnergies::InsideEnergies(MpiWorld const& world, MoleculeSystem const& system,
+                               std::filesystem::path folder)
+    : energies_(world, system, FrameEnergies::Of::inside_molecules, std::move(folder)) {}
+
 void InsideEnergies::add_to(MoleculeFrame& frame) {
   frame.inside.assign(std::size_t(frame.molecules), 0.0);
   if (frame.molecules == 0)
     return;
-  try {
-    if (!lammps_)
-      start(frame);
-    lammps_->set_positions([&](std::int64_t id) { return frame.box.wrap(frame.q[std::size_t(id - 1)]); });
-    lammps_->command("run 0 post no");
-  } catch (LammpsError const& error) {
-    throw InputError(fmt::format("'{}': the energies inside the molecules cannot be told: {}",
-                                 system_.forces.file().string(), error.what()));
-  }
-  auto const atoms = lammps_->owned_atoms(atom_energy_compute);
-  auto const n = std::int64_t{frame.atoms_per_molecule};
-  std::vector<double> energies(frame.q.size(), 0.0);
-  for (std::size_t i = 0; i < atoms.ids.size(); ++i)
-    energies[std::size_t(atoms.ids[i] - 1)] = atoms.potential[i];
-  for (std::size_t i = 0; i < energies.size(); ++i)
-    frame.inside[i / std::size_t(n)] += energies[i];
-  frame.reach = reach_;
+  auto const told = energies_.of(frame.q, frame.box);
+  auto const n = std::size_t(frame.atoms_per_molecule);
+  for (std::size_t i = 0; i < told.potential.size(); ++i)
+    frame.inside[i / n] += told.potential[i];
+  frame.reach = told.reach;
 }
 
 } // namespace mesobridge::md

@@ -38,6 +38,9 @@ MoleculeSystem system_of(MoleculeMeltSettings const& s) {
   for (int const times : s.replicate)
     require(times >= 1 && times <= 1000, "--replicate", times, "must be 1 ... 1000");
   auto system = read_molecule_system(s.data, s.forces, s.styles);
+  auto const& box = system.molecules.box;
+  require(!box.tilted(), s.data.string(), fmt::format("tilts {} {} {}", box.xy, box.xz, box.yz),
+          "must be 0: melts are made in rectangular boxes");
   double count = double(system.molecules.q.size());
   for (int const times : s.replicate)
     count *= times;

@@ -7,8 +7,8 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 . "$root/workflows/install.sh"
 . "$root/workflows/build.sh"
 
-# Programs of others that read what ours writes, and a screen for the one that draws.
-mesobridge_packages="$mesobridge_packages lammps python3-h5py python3-ase python3-mdanalysis paraview python3-paraview xvfb"
+# Programs of others that read what ours writes or write what it reads, and a screen for the one that draws.
+mesobridge_packages="$mesobridge_packages lammps python3-h5py python3-ase python3-mdanalysis paraview python3-paraview xvfb zstd"
 install_packages
 configure_project "$root" "$root/build" -DCMAKE_BUILD_TYPE=Release -DMESOBRIDGE_TESTS=ON -DMESOBRIDGE_WERROR=ON
 build_target all

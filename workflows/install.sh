@@ -2,7 +2,7 @@
 # Installs what is missing as root or through sudo; otherwise says which command to run, and stops.
 
 mesobridge_packages="cmake g++ ninja-build ccache pkg-config git
-  liblammps-dev lammps-data libopenmpi-dev openmpi-bin libeigen3-dev libgsl-dev libhdf5-dev zlib1g-dev libnlopt-dev libnlopt-cxx-dev
+  liblammps-dev lammps-data libopenmpi-dev openmpi-bin libeigen3-dev libgsl-dev libhdf5-dev zlib1g-dev libboost-iostreams-dev libnlopt-dev libnlopt-cxx-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libssl-dev gnuplot-nox
   libgtest-dev librapidcheck-dev libbenchmark-dev"
 

@@ -1,6 +1,7 @@
 #include "md/error.hpp"
 #include "sdpd/lammps/block_sweep.hpp"
 #include "sdpd/neighbours/matchings.hpp"
+#include "sdpd/neighbours/unit_pairs.hpp"
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -9,23 +10,6 @@
 
 namespace mesobridge::sdpd {
 namespace {
-
-/// The pairs of cells that a block steps, in this order: as bits x, y, z of the places in it. Every two cells
-/// that touch are one such pair of one block.
-constexpr std::array<std::array<unsigned, 2>, 14> cell_pairs{{{0, 0},
-                                                              {0, 1},
-                                                              {0, 2},
-                                                              {0, 3},
-                                                              {0, 4},
-                                                              {0, 5},
-                                                              {0, 6},
-                                                              {0, 7},
-                                                              {1, 2},
-                                                              {1, 4},
-                                                              {2, 4},
-                                                              {1, 6},
-                                                              {2, 5},
-                                                              {4, 3}}};
 
 std::uint32_t cells_along(double edge, double range) {
   return static_cast<std::uint32_t>(edge / (2 * range)) * 2;
@@ -112,7 +96,7 @@ void BlockSweep::add_block(RankParticles const& particles, Cell const& base) {
                   state[3],
                   {fixed[T_0], fixed[inverse_C_0], fixed[curvature], fixed[limit]}};
   }
-  for (auto const& [one, other] : cell_pairs)
+  for (auto const& [one, other] : unit_pairs)
     add_pairs(one, other);
 }
 

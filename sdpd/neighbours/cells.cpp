@@ -1,5 +1,6 @@
 #include "sdpd/neighbours/cells.hpp"
 #include "md/error.hpp"
+#include "sdpd/neighbours/unit_pairs.hpp"
 #include "sdpd/threads/team.hpp"
 #include <algorithm>
 #include <cmath>
@@ -31,23 +32,6 @@ std::vector<Stretch> stretches(Index n) {
     parts.push_back({begin, n / count + (k < n % count ? 1 : 0)});
   return parts;
 }
-
-/// The cells of a unit block, as steps along the three edges, in which every pair of touching cells occurs
-/// once as the block moves over the grid.
-constexpr std::array<std::array<unsigned, 2>, 14> unit_pairs{{{0, 0},
-                                                              {0, 1},
-                                                              {0, 2},
-                                                              {0, 3},
-                                                              {0, 4},
-                                                              {0, 5},
-                                                              {0, 6},
-                                                              {0, 7},
-                                                              {1, 2},
-                                                              {1, 4},
-                                                              {2, 4},
-                                                              {1, 6},
-                                                              {2, 5},
-                                                              {3, 4}}};
 
 /// Calls f(x, y, z) for 0 <= x < n[0] ..., x fastest.
 template <class F>

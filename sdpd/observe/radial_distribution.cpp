@@ -7,7 +7,7 @@ namespace mesobridge::sdpd {
 
 RadialDistribution::RadialDistribution(Box const& box, double r_max, std::size_t bins)
     : box_(box), width_(r_max / static_cast<double>(bins)), counts_(bins) {
-  double const shortest = std::min({box.edge.x, box.edge.y, box.edge.z});
+  double const shortest = box.narrowest();
   require(r_max > 0 && r_max <= shortest / 2, "r_max of g(r)", r_max, "must be > 0 and at most half an edge");
 }
 

@@ -6,7 +6,7 @@
 namespace mesobridge::sdpd {
 
 /// The radial distribution function g(r) of particles in a periodic box, in bins of equal width from r = 0 to
-/// r_max <= half of the shortest edge; averaged over instants.
+/// r_max <= half of the narrowest width of the box; averaged over instants.
 class RadialDistribution {
  public:
   /// Throws InputError when r_max does not fit into the box.

@@ -15,7 +15,7 @@ RadialEstimate radial_estimate(cg::BlobSeries const& series, double width) {
   require(series.frames() >= blocks_of_frames, "frames", series.frames(),
           "at least 16 are needed for standard errors");
   auto const& box = series.boxes.front();
-  double const reach = 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z});
+  double const reach = 0.5 * box.narrowest();
   require(width > 0 && width < reach / 8, "bin width", width,
           fmt::format("must be above 0 and below {:g}", reach / 8));
   auto const bins = std::size_t(reach / width);

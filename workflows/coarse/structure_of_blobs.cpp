@@ -36,12 +36,11 @@ CoarseStructure structure_of(BlobFileHead const& head, std::vector<Box> const& b
   require(head.rho > 0, "blobs", head.kind, "must be those of a melt or a trajectory");
   require(N >= 8 && !boxes.empty(), "molecules", N, "at least 8 are needed for a structure");
   auto const& box = boxes.front();
-  double const reach = 0.5 * std::min({box.edge.x, box.edge.y, box.edge.z});
+  double const reach = 0.5 * box.narrowest();
   require(width > 0 && width < reach / 8, "bin width", width,
           fmt::format("must be above 0 and below {:g}", reach / 8));
   for (auto const& other : boxes)
-    require(norm2(other.edge - box.edge) < 1e-18 * norm2(box.edge), "box", norm(other.edge),
-            "must be the same in all frames");
+    require(other.is_that(box), "box", norm(other.edge), "must be the same in all frames");
   auto const bins = std::size_t(reach / width);
   sdpd::RadialDistribution found(box, reach, bins);
   std::size_t const stride = std::max<std::size_t>(1, boxes.size() / most_frames_seen);

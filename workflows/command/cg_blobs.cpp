@@ -1,11 +1,11 @@
 #include "cg/blobs.hpp"
-#include "cg/intermolecular.hpp"
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
 #include "workflows/star/energy_check.hpp"
 #include "workflows/star/force_check.hpp"
+#include "workflows/star/frame_blobs.hpp"
 #include "workflows/star/mapping_file.hpp"
 #include "workflows/star/trajectory_file.hpp"
 #include "workflows/summary.hpp"
@@ -23,13 +23,6 @@ struct CgBlobsOptions {
   std::optional<double> time_step;
   std::string group;
 };
-
-double longest_cutoff(cg::MoleculeModel const& model) {
-  double longest = 0;
-  for (auto const& law : model.pairs)
-    longest = std::max(longest, law.cutoff());
-  return longest;
-}
 
 /// Along walls nothing is folded: the centre of mass lies where the atoms do.
 void unfold(cg::Blob& blob, cg::MoleculeModel const& model, std::span<Vec3 const> q,
@@ -51,32 +44,32 @@ Vec3 sum_of(std::span<Vec3 const> forces) {
   return std::accumulate(forces.begin(), forces.end(), Vec3{});
 }
 
-cg::BlobFrame blobs_of(cg::BlobMaker& maker, TrajectoryFrame const& frame, Box const& box,
-                       ForceCheck& check) {
-  cg::BlobFrame result{.step = frame.step, .time = frame.time.value_or(0), .box = box, .blobs = {}};
-  auto const n = std::size_t(maker.model().atoms());
-  auto const others = cg::intermolecular(maker.model(), frame.q, box);
-  for (std::size_t m = 0; m < frame.q.size() / n; ++m) {
-    auto const q = std::span(frame.q).subspan(m * n, n);
-    auto blob = maker.blob(q, std::span(frame.v).subspan(m * n, n), {}, {}, box);
-    unfold(blob, maker.model(), q, frame.periodic);
-    blob.Phi = others.Phi[m];
-    blob.F = others.F[m];
-    if (!frame.f.empty()) {
-      blob.F = sum_of(std::span(frame.f).subspan(m * n, n));
-      check.add(blob.F, others.F[m]);
-    }
-    result.blobs.push_back(blob);
-  }
-  for (std::size_t m = 0; m < result.blobs.size(); ++m)
-    if (auto const& blob = result.blobs[m];
+void require_values(cg::BlobFrame const& frame) {
+  for (std::size_t m = 0; m < frame.blobs.size(); ++m)
+    if (auto const& blob = frame.blobs[m];
         !std::isfinite(blob.U_pot + blob.Phi + norm(blob.F) + blob.U_kin + norm2(blob.P)))
       throw InputError(
           fmt::format("molecule {} has an energy or a force without a value at step {}: are its atoms "
                       "on top of others, or the mapping another molecule's?",
                       m + 1, frame.step));
+}
+
+cg::BlobFrame blobs_of(FoundBlobs found, cg::MoleculeModel const& model, TrajectoryFrame const& frame,
+                       Box const& box, ForceCheck& check) {
+  cg::BlobFrame result{.step = frame.step, .box = box, .blobs = std::move(found.blobs)};
+  auto const n = std::size_t(model.atoms());
+  for (std::size_t m = 0; m < result.blobs.size(); ++m) {
+    auto& blob = result.blobs[m];
+    unfold(blob, model, std::span(frame.q).subspan(m * n, n), frame.periodic);
+    if (!frame.f.empty()) {
+      Vec3 const said = sum_of(std::span(frame.f).subspan(m * n, n));
+      check.add(said, blob.F);
+      blob.F = said;
+    }
+  }
+  require_values(result);
   cg::refuse_large_molecules(result);
-  result.energy = cg::total_energy(result.blobs, maker.model().mass());
+  result.energy = found.kinetic + found.potential;
   result.box = frame.box;
   return result;
 }
@@ -127,9 +120,9 @@ class Clock {
 class Conversion {
  public:
   Conversion(CgBlobsOptions const& options, Context const& context)
-      : options_(options), context_(context), mapping_(read_mapping(options.mapping)), maker_(mapping_.model),
+      : options_(options), context_(context), mapping_(read_mapping(options.mapping)),
         path_(context.output_directory("out/blobs") / "blobs.h5"), clock_(options.time_step),
-        energies_(maker_.model()), forces_(maker_.model()), reach_(longest_cutoff(mapping_.model)) {
+        blobs_(blobs_by(mapping_, path_.parent_path())), forces_(blobs_->has_pairs()) {
     std::error_code none;
     if (std::filesystem::equivalent(options.trajectory, path_, none))
       throw InputError(fmt::format("'{}' would be replaced by its own blobs: choose another folder with -o",
@@ -157,18 +150,19 @@ class Conversion {
   }
 
   TrajectoryReading reading() {
-    return {.atoms_per_molecule = std::size_t(mapping_.model.atoms()),
-            .masses = mapping_.masses,
-            .units = mapping_.units,
-            .units_given = mapping_.units_given,
-            .group = options_.group,
-            .warn = [this](std::string const& warning) { warn(warning); }};
+    TrajectoryReading how{.units = mapping_.units,
+                          .units_given = mapping_.units_given,
+                          .group = options_.group,
+                          .warn = [this](std::string const& warning) { warn(warning); }};
+    blobs_->expect(how);
+    return how;
   }
 
   void take(TrajectoryFrame const& frame) {
     throw_if_interrupted();
-    auto const box = frame.image_box(reach_);
-    std::vector<cg::BlobFrame> one{blobs_of(maker_, frame, box, forces_)};
+    auto const box = frame.image_box(blobs_->reach());
+    auto const found = blobs_->of(frame, box);
+    std::vector<cg::BlobFrame> one{blobs_of(found, blobs_->model(), frame, box, forces_)};
     one[0].time = clock_.time(frame);
     if (!file_)
       begin(frame, one[0].blobs.size());
@@ -176,18 +170,22 @@ class Conversion {
       throw InputError(fmt::format("'{}' has forces (fx fy fz) in some frames only: step {} {} them",
                                    options_.trajectory.string(), frame.step,
                                    has_forces_ ? "is without" : "has"));
+    if (frame.box.tilted() && !may_tilt_)
+      throw InputError(fmt::format("'{}': the box is tilted at step {}, but its first frames say no tilts",
+                                   options_.trajectory.string(), frame.step));
     if (one[0].blobs.size() != molecules_ || walls_of(frame) != walls_)
       throw InputError(
           fmt::format("'{}' has {} molecules and walls along '{}' at step {}, {} and '{}' before",
                       options_.trajectory.string(), one[0].blobs.size(), walls_of(frame), frame.step,
                       molecules_, walls_));
     file_->append(one);
-    energies_.add(one[0], frame.potential_energy, bond_energy(maker_.model(), frame.q, box));
+    energies_.add(frame.step, found, frame.potential_energy);
     ++frames_;
   }
 
   void begin(TrajectoryFrame const& frame, std::size_t molecules) {
-    molecules_ = molecules, walls_ = walls_of(frame), has_forces_ = !frame.f.empty();
+    molecules_ = molecules, may_tilt_ = frame.may_tilt, walls_ = walls_of(frame),
+    has_forces_ = !frame.f.empty();
     if (clock_.counts_steps())
       warn("the trajectory says no times and --dt is not given: times are numbers of steps");
     BlobFileHead const head{.kind = "melt",
@@ -196,16 +194,21 @@ class Conversion {
                             .molecules = int(molecules),
                             .atoms = mapping_.model.atoms(),
                             .mass = mapping_.model.mass(),
-                            .rho = double(frame.q.size()) / frame.box.volume(),
+                            .rho = double(molecules) * mapping_.model.atoms() / frame.box.volume(),
                             .T = 0,
                             .units = mapping_.units.name,
                             .walls = walls_,
+                            .may_tilt = frame.may_tilt,
                             .time_unit = clock_.counts_steps() ? "steps" : ""};
     file_.emplace(path_, head,
-                  Provenance{.command = context_.command_line(),
-                             .seed = 0,
-                             .scene = "",
-                             .inputs = {options_.trajectory, options_.mapping}});
+                  Provenance{.command = context_.command_line(), .seed = 0, .scene = "", .inputs = inputs()});
+  }
+
+  std::vector<InputFile> inputs() const {
+    std::vector<InputFile> files{options_.trajectory, options_.mapping};
+    if (mapping_.system)
+      files.emplace_back(mapping_.system->data), files.emplace_back(mapping_.system->forces.file());
+    return files;
   }
 
   void remove_unfinished() {
@@ -235,15 +238,14 @@ class Conversion {
   CgBlobsOptions const& options_;
   Context const& context_;
   Mapping mapping_;
-  cg::BlobMaker maker_;
   std::filesystem::path path_;
   Clock clock_;
+  std::unique_ptr<FrameBlobs> blobs_;
   EnergyCheck energies_;
   ForceCheck forces_;
-  double reach_;
   std::optional<BlobFile> file_;
   std::size_t frames_ = 0, molecules_ = 0;
-  bool has_forces_ = false;
+  bool has_forces_ = false, may_tilt_ = false;
   std::string walls_;
   std::vector<std::string> warnings_;
 };
@@ -257,11 +259,13 @@ Result blobs(CgBlobsOptions const& options, Context const& context) {
 
 void declare(CLI::App& app, CgBlobsOptions& options) {
   app.add_option("file", options.trajectory,
-                 "LAMMPS text dump with velocities (forces fx fy fz are taken too), or H5MD (.h5)")
+                 "LAMMPS text dump with velocities (forces fx fy fz are taken too; gzip, zstd, bzip2, xz), "
+                 "or H5MD (.h5)")
       ->required()
       ->type_name("FILE");
   app.add_option("--mapping", options.mapping,
-                 "Units, atoms, bonds and pair potential of a molecule; a bond's energy is "
+                 "Units, atoms, bonds and pair potential of a molecule, or the names of LAMMPS's files; a "
+                 "bond's energy is "
                  "k (r - l)^2 / 2, or K (r - l)^2 with LAMMPS's K (`cg mapping` writes one; FENE bonds too)")
       ->required()
       ->type_name("FILE.toml");

@@ -35,7 +35,8 @@ FoundViscosity viscosity_of(cg::BlobSeries const& series, cg::ViscositySettings 
 }
 
 bool is_cube(Box const& box) {
-  return std::max(std::abs(box.edge.x - box.edge.y), std::abs(box.edge.x - box.edge.z)) < 1e-6 * box.edge.x;
+  return !box.tilted() &&
+         std::max(std::abs(box.edge.x - box.edge.y), std::abs(box.edge.x - box.edge.z)) < 1e-6 * box.edge.x;
 }
 
 /// The diffusion, corrected by the viscosity that the user gives or, in a cube, the one that was measured.

@@ -18,7 +18,7 @@ struct EosData {
 };
 
 /// Reads observations from a CSV file (as parse_csv understands it; empty cells are allowed), or from an HDF5
-/// file with one dataset a column in one group.
+/// file with one dataset a column in one group, or the tables that `eos table` writes.
 ///
 /// A row is a `state`, a shocked state (`hugoniot`), a state on an `isentrope` or a Chapman-Jouguet state
 /// (`cj`), as its column `kind` says; without it, rows with rho0 are shocked states, others states. States

@@ -39,9 +39,65 @@ std::string data_group(Store const& store) {
       if (store.contains(group + "/" + density) && (found.empty() || found.back() != group))
         found.push_back(group);
   if (found.size() != 1)
-    throw InputError(fmt::format("'{}': {} groups hold a dataset rho_kg_m3 or rho0_kg_m3; exactly one must",
-                                 store.file().string(), found.size()));
+    throw InputError(
+        fmt::format("'{}': {} groups hold a dataset rho_kg_m3 or rho0_kg_m3; exactly one must (or the "
+                    "file itself as `eos table` writes it, in SI: rho_kg_m3, T_K and tables over both)",
+                    store.file().string(), found.size()));
   return found.front();
+}
+
+/// The names that are columns; others go to `not_read`.
+void take_names(DataTable& table, std::vector<std::string> const& names) {
+  for (auto const& name : names) {
+    try {
+      table.columns.emplace(name, parse_data_column(name));
+    } catch (InputError const&) {
+      table.not_read.push_back(name);
+    }
+  }
+}
+
+/// Adds a column to the rows; NaN is an empty cell.
+void add_values(DataTable& table, std::string const& name, std::vector<double> const& values,
+                std::string const& dataset) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isinf(values[i]))
+      throw InputError(
+          fmt::format("{}[{}] = {}: must be a finite number, or NaN for none", dataset, i, values[i]));
+    if (!std::isnan(values[i]))
+      table.rows[i].numbers.emplace(name, values[i]);
+  }
+}
+
+constexpr char const *grid_density = "rho_kg_m3", *grid_temperature = "T_K";
+
+bool is_grid(Store const& store) {
+  return store.contains(grid_density) && !store.is_group(grid_density) && store.contains(grid_temperature);
+}
+
+/// Tables over densities and temperatures, as `eos table` writes them: a row for each state.
+DataTable read_grid(Store const& store) {
+  Expected const axis{.least_rows = 1, .row_shape = Store::Shape{}};
+  auto const rho = store.read_doubles(grid_density, axis), T = store.read_doubles(grid_temperature, axis);
+  DataTable table;
+  std::vector<std::string> names;
+  for (auto const& name : store.list("/"))
+    if (!store.is_group(name) && name != "model")
+      names.push_back(name);
+  take_names(table, names);
+  for (std::size_t i = 0; i < rho.size(); ++i)
+    for (std::size_t j = 0; j < T.size(); ++j)
+      table.rows.push_back({.origin = fmt::format("{}: [{}][{}]", store.file().string(), i, j),
+                            .kind = {},
+                            .numbers = {{grid_density, rho[i]}, {grid_temperature, T[j]}}});
+  for (auto const& [name, column] : table.columns)
+    if (name != grid_density && name != grid_temperature)
+      add_values(
+          table, name,
+          store.read_doubles(
+              name, {.rows = rho.size(), .row_shape = Store::Shape{T.size()}, .bounds = {.finite = false}}),
+          fmt::format("'{}': dataset '{}'", store.file().string(), name));
+  return table;
 }
 
 } // namespace
@@ -58,33 +114,22 @@ DataTable parse_csv_table(std::string const& text, std::string const& file) {
 
 DataTable read_hdf5_table(std::filesystem::path const& file) {
   Store const store(file, Store::Mode::read);
+  if (is_grid(store))
+    return read_grid(store);
   auto const group = data_group(store);
   DataTable table;
-  for (auto const& name : store.list(group)) {
-    try {
-      table.columns.emplace(name, parse_data_column(name));
-    } catch (InputError const&) {
-      table.not_read.push_back(name);
-    }
-  }
+  take_names(table, store.list(group));
   for (auto const& [name, column] : table.columns) {
     auto const values = store.read_doubles(
-        group + "/" + name,
-        {.least_rows = 1, .row_shape = Store::Shape{}, .bounds = {.finite = false}}); // NaN: an empty cell
+        group + "/" + name, {.least_rows = 1, .row_shape = Store::Shape{}, .bounds = {.finite = false}});
     if (table.rows.empty())
-      table.rows.resize(values.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        table.rows.push_back(
+            {.origin = fmt::format("{}: {}[{}]", file.string(), group, i), .kind = {}, .numbers = {}});
     if (values.size() != table.rows.size())
       throw InputError(fmt::format("'{}': dataset '{}/{}' has another length than the others", file.string(),
                                    group, name));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      table.rows[i].origin = fmt::format("{}: {}[{}]", file.string(), group, i);
-      if (std::isinf(values[i]))
-        throw InputError(
-            fmt::format("'{}': dataset '{}/{}'[{}] = {}: must be a finite number, or NaN for none",
-                        file.string(), group, name, i, values[i]));
-      if (!std::isnan(values[i]))
-        table.rows[i].numbers.emplace(name, values[i]);
-    }
+    add_values(table, name, values, fmt::format("'{}': dataset '{}/{}'", file.string(), group, name));
   }
   return table;
 }

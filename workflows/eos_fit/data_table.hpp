@@ -22,6 +22,7 @@ struct DataTable {
 
 /// Throws InputError with file, line and column.
 DataTable parse_csv_table(std::string const& text, std::string const& file);
+/// One dataset a column in one group; or what `eos table` writes, tables over rho_kg_m3 and T_K.
 DataTable read_hdf5_table(std::filesystem::path const& file);
 
 } // namespace mesobridge::workflows

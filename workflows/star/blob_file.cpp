@@ -30,6 +30,17 @@ void refuse_ragged(Store const& store, std::filesystem::path const& file) {
                                      file.string(), group, name, rows, frames));
 }
 
+bool says_tilts(Store const& store) {
+  return store.has_attribute("settings", "may_tilt");
+}
+
+void read_tilts(Store const& store, std::vector<Box>& boxes) {
+  auto const tilts =
+      vectors_of(store.read_doubles("frames/tilt", {.rows = boxes.size(), .row_shape = Store::Shape{3}}));
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    boxes[k].xy = tilts[k].x, boxes[k].xz = tilts[k].y, boxes[k].yz = tilts[k].z;
+}
+
 } // namespace
 
 std::vector<Vec3> vectors_of(std::vector<double> const& flat) {
@@ -67,6 +78,8 @@ void write_head(Store& store, BlobFileHead const& head) {
     store.set_attribute("settings", "unit_system", head.units);
   if (head.walls != usual.walls)
     store.set_attribute("settings", "walls", head.walls);
+  if (head.may_tilt)
+    store.set_attribute("settings", "may_tilt", std::int64_t{1});
   if (head.time_unit != usual.time_unit)
     store.set_attribute("settings", "time_unit", head.time_unit);
   if (!head.set.empty())
@@ -95,6 +108,7 @@ BlobFileHead read_head(Store const& store) {
   };
   if_there("unit_system", head.units);
   if_there("walls", head.walls);
+  head.may_tilt = says_tilts(store);
   if_there("time_unit", head.time_unit);
   return head;
 }
@@ -107,7 +121,7 @@ void refuse_other_settings(Store const& store, std::string const& fingerprint) {
 }
 
 BlobFile::BlobFile(std::filesystem::path const& file, BlobFileHead const& head, Provenance const& provenance)
-    : store_(file, Store::Mode::create, Store::Safety::marked) {
+    : store_(file, Store::Mode::create, Store::Safety::marked), may_tilt_(head.may_tilt) {
   write_provenance(store_, provenance);
   write_head(store_, head);
   store_.mark();
@@ -121,6 +135,7 @@ BlobFile BlobFile::continue_file(std::filesystem::path const& file, std::string 
     refuse_other_settings(store, fingerprint);
   }
   BlobFile blobs(Store(file, Store::Mode::append, Store::Safety::marked));
+  blobs.may_tilt_ = says_tilts(blobs.store_);
   if (auto const& store = blobs.store_; store.contains("frames/step")) {
     refuse_ragged(store, file);
     blobs.last_step_ = store.read_integer_row("frames/step", store.rows("frames/step") - 1).at(0);
@@ -138,6 +153,8 @@ void BlobFile::append(std::span<cg::BlobFrame const> frames) {
     store_.append("frames/step", std::span<std::int64_t const>(&frame.step, 1));
     add("frames/time", std::span(&frame.time, 1));
     add("frames/box", std::vector{frame.box.edge.x, frame.box.edge.y, frame.box.edge.z}, {3});
+    if (may_tilt_)
+      add("frames/tilt", std::vector{frame.box.xy, frame.box.xz, frame.box.yz}, {3});
     add("frames/energy", std::span(&frame.energy, 1));
     add("frames/pressure", std::span(&frame.pressure, 1));
     auto const n = frame.blobs.size();
@@ -196,6 +213,8 @@ BlobData read_blobs(std::filesystem::path const& file) {
   for (auto const& edge : vectors_of(store.read_doubles(
            "frames/box", {.rows = frames, .row_shape = Store::Shape{3}, .bounds = {.above = 0}})))
     data.boxes.push_back({edge});
+  if (data.head.may_tilt)
+    read_tilts(store, data.boxes);
   data.R = vectors_of(store.read_doubles("blobs/R", vectors_of_blobs));
   data.P = vectors_of(store.read_doubles("blobs/P", vectors_of_blobs));
   data.U_kin = store.read_doubles("blobs/U_kin", of_blobs);

@@ -19,6 +19,7 @@ struct BlobFileHead {
   std::vector<double> set{}; ///< vacuum: the temperature (or the energy) set for each molecule
   std::string units = "lj";  ///< LAMMPS's unit style; masses are consistent ones (see UnitStyle)
   std::string walls{};       ///< the axes, "z" say, along which the box is not periodic
+  bool may_tilt = false;     ///< frames/tilt says xy, xz, yz of each box
   std::string time_unit{};   ///< "steps" where the trajectory says no time; otherwise that of the unit style
 };
 
@@ -34,7 +35,8 @@ std::vector<Vec3> vectors_of(std::vector<double> const& flat);
 std::vector<double> row_of(cg::BlobFrame const& frame, double cg::Blob::*member);
 std::vector<double> row_of(cg::BlobFrame const& frame, Vec3 cg::Blob::*member);
 
-/// A time series of blobs: frames/step, time, box, energy, pressure; blobs/R, P, F, U_kin, U_pot, Phi, one
+/// A time series of blobs: frames/step, time, box, energy, pressure (and tilt of
+/// boxes that may be tilted); blobs/R, P, F, U_kin, U_pot, Phi, one
 /// row a frame.
 class BlobFile {
  public:
@@ -53,6 +55,7 @@ class BlobFile {
   explicit BlobFile(Store store) : store_(std::move(store)) {}
 
   Store store_;
+  bool may_tilt_ = false;
   std::int64_t last_step_ = std::numeric_limits<std::int64_t>::min(); ///< that was there when it was opened
 };
 

@@ -14,13 +14,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-DumpLines::DumpLines(std::filesystem::path const& file) : file_(file), in_(file) {
-  if (!in_)
-    throw InputError(fmt::format("'{}' cannot be read", file.string()));
-}
-
 std::string const& DumpLines::next() {
-  if (!std::getline(in_, text_) || in_.eof())
+  if (!lines_.next(text_))
     throw EndOfFile();
   ++number_;
   if (text_.ends_with('\r'))

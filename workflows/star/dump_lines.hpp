@@ -1,10 +1,10 @@
 #pragma once
 #include "md/error.hpp"
+#include "workflows/unpacked_lines.hpp"
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,15 +17,16 @@ struct EndOfFile {};
 /// The words between blanks.
 std::vector<std::string_view> words_of(std::string_view text);
 
-/// The lines of a file, numbered. A last line without an end is none: it was cut off.
+/// The lines of a file, packed or not, numbered. A last line without an end is none: it was cut off.
 class DumpLines {
  public:
   /// Throws InputError for a file that cannot be read.
-  explicit DumpLines(std::filesystem::path const& file);
+  explicit DumpLines(std::filesystem::path const& file) : file_(file), lines_(file) {}
 
   /// Throws EndOfFile.
   std::string const& next();
   std::int64_t number() const { return number_; }
+  bool packed() const { return lines_.packed(); }
   /// Throws InputError with file and line.
   [[noreturn]] void refuse(std::string const& what) const;
 
@@ -45,7 +46,7 @@ class DumpLines {
 
  private:
   std::filesystem::path file_;
-  std::ifstream in_;
+  UnpackedLines lines_;
   std::string text_;
   std::int64_t number_ = 0;
 };

@@ -32,23 +32,12 @@ bool agree(double a, double b, double scale) {
 
 } // namespace
 
-double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box const& box) {
-  double energy = 0;
-  auto const n = std::size_t(model.atoms());
-  for (std::size_t first = 0; first + n <= q.size(); first += n)
-    for (auto const& bond : model.bonds)
-      energy += bond.law.energy(
-          norm(box.minimum_image(q[first + std::size_t(bond.a)] - q[first + std::size_t(bond.b)])));
-  return energy;
-}
-
-void EnergyCheck::add(cg::BlobFrame const& frame, std::optional<double> said, double bonds) {
-  Row row{.step = frame.step, .kinetic = 0, .potential = 0, .bonds = bonds, .said = said};
-  for (auto const& blob : frame.blobs) {
-    row.kinetic += blob.U_kin + norm2(blob.P) / (2 * model_.mass());
-    row.potential += blob.U_pot + blob.Phi;
-  }
-  rows_.push_back(row);
+void EnergyCheck::add(std::int64_t step, FoundBlobs const& found, std::optional<double> said) {
+  rows_.push_back({.step = step,
+                   .kinetic = found.kinetic,
+                   .potential = found.potential,
+                   .bonds = found.bonds,
+                   .said = said});
 }
 
 std::optional<std::string> EnergyCheck::potential_warning() const {

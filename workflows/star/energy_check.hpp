@@ -1,6 +1,6 @@
 #pragma once
-#include "cg/blobs.hpp"
 #include "workflows/command.hpp"
+#include "workflows/star/frame_blobs.hpp"
 
 namespace mesobridge::workflows {
 
@@ -8,11 +8,8 @@ namespace mesobridge::workflows {
 /// energy that the trajectory itself says, and that a run at constant energy keeps it.
 class EnergyCheck {
  public:
-  explicit EnergyCheck(cg::MoleculeModel const& model) : model_(model) {}
-
-  /// One frame; `said` is the potential energy of the whole system by the trajectory, `bonds` that of the
-  /// mapping's bonds alone.
-  void add(cg::BlobFrame const& frame, std::optional<double> said, double bonds);
+  /// One frame; `said` is the potential energy of the whole system by the trajectory.
+  void add(std::int64_t step, FoundBlobs const& found, std::optional<double> said);
 
   /// What is suspicious, for people; empty if nothing is.
   std::vector<std::string> warnings() const;
@@ -28,11 +25,7 @@ class EnergyCheck {
   std::optional<std::string> potential_warning() const;
   std::optional<std::string> drift_warning() const;
 
-  cg::MoleculeModel const& model_;
   std::vector<Row> rows_;
 };
-
-/// The energy of the bonds of all molecules, whose joined shapes nearest images along the bonds tell.
-double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box const& box);
 
 } // namespace mesobridge::workflows

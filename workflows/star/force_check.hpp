@@ -1,17 +1,16 @@
 #pragma once
-#include "cg/molecule_model.hpp"
 #include "md/vec3.hpp"
 #include "workflows/command.hpp"
 
 namespace mesobridge::workflows {
 
-/// Compares the net forces on molecules that a trajectory says with those of the mapping's pairs.
+/// Compares the net forces on molecules that a trajectory says with those by the laws of the mapping.
 class ForceCheck {
  public:
-  explicit ForceCheck(cg::MoleculeModel const& model);
+  explicit ForceCheck(bool has_pairs) : has_pairs_(has_pairs) {}
 
   /// The force on one molecule.
-  void add(Vec3 const& said, Vec3 const& by_pairs);
+  void add(Vec3 const& said, Vec3 const& by_laws);
 
   /// What is suspicious, for people; empty if nothing is.
   std::vector<std::string> warnings() const;

@@ -77,20 +77,17 @@ class Terms {
         there[std::size_t(distance)] = true;
     for (std::size_t k = 2; k <= 3; ++k)
       if (there[k] && weights_[k - 1] != 1)
-        throw InputError(fmt::format("{}: atoms {} bonds apart count as pairs by the weight {}: a mapping "
-                                     "can leave out directly bonded "
-                                     "atoms alone, so that this must be 1 (md molecules takes any)",
-                                     weights_origin_, k, weights_[k - 1]));
+        throw NotHeldByMapping(fmt::format("{}: atoms {} bonds apart count as pairs by the weight {}",
+                                           weights_origin_, k, weights_[k - 1]));
     if (there[1] && weights_[0] != 0 && weights_[0] != 1)
-      throw InputError(
-          fmt::format("{}: bonded atoms count as pairs by the weight {}: in a mapping it is 0 or 1",
-                      weights_origin_, weights_[0]));
+      throw NotHeldByMapping(
+          fmt::format("{}: bonded atoms count as pairs by the weight {}", weights_origin_, weights_[0]));
     return weights_[0] == 1;
   }
 
  private:
   [[noreturn]] static void refuse(InputLine const& line, std::string const& why) {
-    md::refuse_line(line, fmt::format("'{}': {} (md molecules takes it)", line.text(), why));
+    throw NotHeldByMapping(fmt::format("{}: '{}': {}", line.origin, line.text(), why));
   }
 
   void take_style(InputLine const& line) {
@@ -103,7 +100,9 @@ class Terms {
       if (!found)
         refuse(line, "a mapping holds the bond styles harmonic and fene alone");
       if (bond_style_)
-        refuse(line, "a second bond style: LAMMPS forgets the coefficients of the first");
+        md::refuse_line(line,
+                        fmt::format("'{}': a second bond style: LAMMPS forgets the coefficients of the first",
+                                    line.text()));
       bond_style_ = found;
     } else if (command == "pair_style") {
       if (style != "lj/cut" && style != "lj/cut/opt")
@@ -271,6 +270,11 @@ std::string pairs_text(md::MoleculeKind const& kind, Terms const& terms) {
 
 std::string mapping_text(md::MoleculeSystem const& system) {
   auto const& kind = system.molecules.kind;
+  if (!system.others.empty())
+    throw NotHeldByMapping(
+        fmt::format("'{}': {} kinds of molecules", system.data.string(), system.others.size() + 1));
+  if (std::ranges::any_of(kind.charges, [](double charge) { return charge != 0; }))
+    throw NotHeldByMapping(fmt::format("'{}': charges", system.data.string()));
   Terms const terms(system);
   return fmt::format(
              "format = \"mesobridge mapping 1\"\nname = \"{}\"\nunits = \"{}\"\natoms = {}\nmasses = {}\n"

@@ -1,7 +1,9 @@
 #include "workflows/star/h5md_trajectory.hpp"
 #include "md/error.hpp"
+#include "workflows/star/edge_vectors.hpp"
 #include "workflows/star/h5md_element.hpp"
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace mesobridge::workflows {
@@ -86,7 +88,9 @@ class H5mdTrajectory {
     auto const shape = position_.frame_shape();
     if (shape.size() != 2 || shape[1] != 3)
       position_.refuse(fmt::format("has a frame of {}: must be atoms x 3", extents_text(shape)));
-    auto const atoms = shape[0], each = how_.atoms_per_molecule;
+    auto const atoms = shape[0], each = how_.atoms.empty() ? how_.atoms_per_molecule : how_.atoms.size();
+    if (!how_.atoms.empty() && atoms != each)
+      position_.refuse(fmt::format("has {} atoms: the data file of the mapping has {}", atoms, each));
     if (position_.steps().empty())
       position_.refuse("has no frame");
     if (atoms == 0 || atoms % each != 0)
@@ -145,27 +149,31 @@ class H5mdTrajectory {
     return si / (std::pow(how_.units.length, lengths) * std::pow(how_.units.time, times));
   }
 
-  Box box_at(std::int64_t step) const {
+  TurnedBox box_at(std::int64_t step) const {
     auto const e = edges_.numbers(step);
-    bool const vectors = e.size() == 9;
-    if (vectors)
-      for (std::size_t k = 0; k < 9; ++k)
-        if (k % 4 != 0 && e[k] != 0)
-          edges_.refuse(
-              fmt::format("at step {} is a tilted box (edge vectors {}): only rectangular boxes are "
-                          "read",
-                          step, fmt::join(e, ", ")));
-    Vec3 const edge = vectors ? Vec3{e[0], e[4], e[8]} : Vec3{e[0], e[1], e[2]};
+    if (e.size() == 9) {
+      auto const edge = [&](std::size_t row) { return edge_ * Vec3{e[row], e[row + 1], e[row + 2]}; };
+      auto const found = box_of_edges(edge(0), edge(3), edge(6));
+      if (!found)
+        edges_.refuse(
+            fmt::format("at step {} are the vectors {}, which make no box: they must be right-handed and "
+                        "not lie in one plane",
+                        step, fmt::join(e, ", ")));
+      return *found;
+    }
+    Vec3 const edge{e[0], e[1], e[2]};
     if (!(std::min({edge.x, edge.y, edge.z}) > 0))
       edges_.refuse(
           fmt::format("at step {} is {} x {} x {}: edges must be > 0", step, edge.x, edge.y, edge.z));
-    return {edge_ * edge};
+    return {.box = {edge_ * edge}};
   }
 
-  /// Places of the atoms in the order of their ids.
+  /// Places of the atoms in the order of those that are expected, or of their ids.
   std::vector<std::size_t> order_at(std::int64_t step, std::vector<std::int64_t>& ids) const {
     std::vector<std::size_t> order(position_.frame_shape()[0]);
     std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!how_.atoms.empty())
+      return expected_order_at(step, ids);
     if (!id_)
       return order;
     auto const found = id_->integers(step, {.least = 0});
@@ -177,15 +185,35 @@ class H5mdTrajectory {
     return order;
   }
 
+  /// Without an element `id` atom k has the id k + 1.
+  std::vector<std::size_t> expected_order_at(std::int64_t step, std::vector<std::int64_t>& ids) const {
+    std::map<std::int64_t, std::size_t> place;
+    auto const atoms = how_.atoms.size();
+    auto const found = id_ ? id_->integers(step, {.least = 0}) : std::vector<std::int64_t>{};
+    for (std::size_t k = 0; k < atoms; ++k)
+      place[id_ ? found[k] : std::int64_t(k + 1)] = k;
+    std::vector<std::size_t> order;
+    for (auto const& atom : how_.atoms) {
+      auto const at = place.find(atom.id);
+      if (at == place.end())
+        position_.refuse(fmt::format("has no atom {} at step {}, which the mapping's data file has{}",
+                                     atom.id, step, id_ ? "" : " (no element id: atoms are counted from 1)"));
+      order.push_back(at->second), ids.push_back(atom.id);
+    }
+    return order;
+  }
+
   TrajectoryFrame frame(std::size_t row, std::int64_t step) const {
-    TrajectoryFrame frame{.step = step, .box = box_at(step), .periodic = periodic_};
+    auto const box = box_at(step);
+    TrajectoryFrame frame{
+        .step = step, .box = box.box, .may_tilt = edges_.frame_shape() == Shape{3, 3}, .periodic = periodic_};
     if (auto const time = position_.time(row))
       frame.time = *time * time_;
     auto const order = order_at(step, frame.ids);
     auto const q = position_.numbers(step), v = velocity_.numbers(step);
     for (auto const k : order) {
-      frame.q.push_back(length_ * Vec3{q[3 * k], q[3 * k + 1], q[3 * k + 2]});
-      frame.v.push_back(velocity_factor_ * Vec3{v[3 * k], v[3 * k + 1], v[3 * k + 2]});
+      frame.q.push_back(box.turned(length_ * Vec3{q[3 * k], q[3 * k + 1], q[3 * k + 2]}));
+      frame.v.push_back(box.turned(velocity_factor_ * Vec3{v[3 * k], v[3 * k + 1], v[3 * k + 2]}));
       check_distance(frame, k, step);
     }
     return frame;
@@ -193,9 +221,8 @@ class H5mdTrajectory {
 
   void check_distance(TrajectoryFrame const& frame, std::size_t atom, std::int64_t step) const {
     constexpr double most_edges = 1e6; // farther away a position has lost the digits that tell its neighbours
-    auto const& q = frame.q.back();
-    auto const& edge = frame.box.edge;
-    if (!(std::max({std::abs(q.x / edge.x), std::abs(q.y / edge.y), std::abs(q.z / edge.z)}) < most_edges))
+    Vec3 const part = frame.box.parts(frame.q.back());
+    if (!(std::max({std::abs(part.x), std::abs(part.y), std::abs(part.z)}) < most_edges))
       position_.refuse(
           fmt::format("has atom {} at step {} more than {:g} box edges away", atom, step, most_edges));
   }

@@ -1,8 +1,9 @@
 #include "workflows/star/lammps_dump.hpp"
+#include "workflows/star/dump_box.hpp"
 #include "workflows/star/dump_columns.hpp"
 #include <algorithm>
+#include <map>
 #include <set>
-#include <span>
 
 namespace mesobridge::workflows {
 
@@ -46,7 +47,7 @@ class DumpReader {
   /// Items in any order up to ITEM: ATOMS, the last one of a frame.
   void read_frame(TrajectoryFrame& frame, bool& begun) {
     std::optional<std::size_t> atoms;
-    std::optional<Vec3> low;
+    std::optional<DumpBox> box;
     bool has_step = false;
     for (;;) {
       std::string const head = lines_.next();
@@ -65,11 +66,11 @@ class DumpReader {
       else if (item == "NUMBER OF ATOMS")
         atoms = number_of_atoms();
       else if (item.starts_with("BOX BOUNDS"))
-        low = read_box(item.substr(10), frame);
+        box = read_box(item.substr(10), frame);
       else if (item.starts_with("ATOMS")) {
-        if (!has_step || !atoms || !low)
+        if (!has_step || !atoms || !box)
           lines_.refuse("ITEM: TIMESTEP, NUMBER OF ATOMS and BOX BOUNDS must stand before");
-        read_atoms(DumpColumns(item.substr(5), lines_), *atoms, *low, frame);
+        read_atoms(DumpColumns(item.substr(5), lines_), *atoms, *box, frame);
         return;
       } else
         lines_.refuse(fmt::format("the item '{}' is not known: TIMESTEP, TIME, UNITS, NUMBER OF ATOMS, BOX "
@@ -89,11 +90,13 @@ class DumpReader {
   std::size_t number_of_atoms() {
     auto const atoms = one<std::int64_t>("the number of atoms");
     constexpr std::uintmax_t shortest_line = 8; // an id, three positions
-    if (atoms <= 0 || std::uintmax_t(atoms) > file_size_ / shortest_line)
+    if (atoms <= 0 || (!lines_.packed() && std::uintmax_t(atoms) > file_size_ / shortest_line))
       lines_.refuse(
           fmt::format("{} atoms: must be at least one, and no more than the file of {} bytes can hold", atoms,
                       file_size_));
-    auto const each = std::int64_t(how_.atoms_per_molecule);
+    if (!how_.atoms.empty() && std::size_t(atoms) != how_.atoms.size())
+      lines_.refuse(fmt::format("{} atoms: the data file of the mapping has {}", atoms, how_.atoms.size()));
+    auto const each = how_.atoms.empty() ? std::int64_t(how_.atoms_per_molecule) : atoms;
     if (atoms % each != 0)
       throw InputError(
           fmt::format("'{}' has {} atoms, the mapping's molecules {} each: {} atoms are left out. "
@@ -111,54 +114,38 @@ class DumpReader {
                                 name, how_.units.name, how_.units_given ? "" : " (the default)", name));
   }
 
-  /// Returns the lower corner.
-  Vec3 read_box(std::string_view text, TrajectoryFrame& frame) {
-    auto const words = words_of(text);
-    if (std::ranges::find(words, "abc") != words.end())
-      lines_.refuse("a tilted box (abc origin): only rectangular boxes are read");
-    auto const letters = std::span(words).last(std::min<std::size_t>(words.size(), 3));
-    bool const lettered = letters.size() == 3 && std::ranges::all_of(letters, [](std::string_view word) {
-                            return word.size() == 2 && word.find_first_not_of("pfsm") == word.npos;
-                          });
-    if (!lettered && !warned_)
+  DumpBox read_box(std::string_view text, TrajectoryFrame& frame) {
+    auto const box = read_dump_box(text, lines_);
+    if (!box.lettered && !warned_)
       how_.warn(
           fmt::format("{}:{}: the box has no boundary letters (pp, ff, ss, mm): it is taken as periodic",
-                      file_.string(), lines_.number()));
-    warned_ = warned_ || !lettered;
-    std::array<double, 3> low{}, edge{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      auto const bounds = words_of(lines_.next());
-      if (bounds.size() != 2 && bounds.size() != 3)
-        lines_.refuse("must be the two bounds of a rectangular box");
-      low[axis] = lines_.as<double>(bounds[0], "the lower bound");
-      edge[axis] = lines_.as<double>(bounds[1], "the upper bound") - low[axis];
-      if (bounds.size() == 3 && lines_.as<double>(bounds[2], "the tilt") != 0)
-        lines_.refuse("a tilted box: only rectangular boxes are read");
-      if (!(edge[axis] > 0) || !std::isfinite(edge[axis]))
-        lines_.refuse("the upper bound of the box must be greater than the lower one");
-      frame.periodic[axis] = !lettered || letters[axis] == "pp";
-    }
-    frame.box = {{edge[0], edge[1], edge[2]}};
-    return {low[0], low[1], low[2]};
+                      file_.string(), box.line));
+    warned_ = warned_ || !box.lettered;
+    frame.periodic = box.periodic, frame.box = box.turned.box, frame.may_tilt = box.may_tilt;
+    return box;
   }
 
-  void read_atoms(DumpColumns const& columns, std::size_t count, Vec3 const& low, TrajectoryFrame& frame) {
+  void read_atoms(DumpColumns const& columns, std::size_t count, DumpBox const& box, TrajectoryFrame& frame) {
     std::vector<Atom> atoms;
-    atoms.reserve(count);
+    constexpr std::size_t at_first = 1000000; // what a packed file holds is not known
+    atoms.reserve(std::min(count, at_first));
     double potential = 0;
     for (std::size_t k = 0; k < count; ++k) {
       auto const words = words_of(lines_.next());
       if (words.size() != columns.count())
         lines_.refuse(
             fmt::format("has {} values: must be {}, one for each column", words.size(), columns.count()));
-      atoms.push_back(atom_of(words, columns, low, frame.box));
+      atoms.push_back(atom_of(words, columns, box));
       if (columns.potential)
         potential += lines_.as<double>(words[*columns.potential], "the potential energy");
     }
     if (columns.potential)
       frame.potential_energy = potential;
-    std::ranges::sort(atoms, {}, [](Atom const& atom) { return std::pair(atom.molecule, atom.id); });
-    check_molecules(atoms, columns);
+    if (how_.atoms.empty()) {
+      std::ranges::sort(atoms, {}, [](Atom const& atom) { return std::pair(atom.molecule, atom.id); });
+      check_molecules(atoms, columns);
+    } else
+      put_in_order(atoms, columns);
     for (auto const& atom : atoms) {
       frame.q.push_back(atom.q), frame.v.push_back(atom.v), frame.ids.push_back(atom.id);
       if (columns.f)
@@ -166,8 +153,8 @@ class DumpReader {
     }
   }
 
-  Atom atom_of(std::vector<std::string_view> const& words, DumpColumns const& columns, Vec3 const& low,
-               Box const& box) const {
+  Atom atom_of(std::vector<std::string_view> const& words, DumpColumns const& columns,
+               DumpBox const& box) const {
     Atom atom;
     atom.id = lines_.as<std::int64_t>(words[columns.id], "id");
     if (atom.id < 1)
@@ -183,16 +170,46 @@ class DumpReader {
                   lines_.as<double>(words[places[2]], what)};
     };
     auto const q = vector(columns.q, "position");
-    atom.q = columns.scaled ? Vec3{q.x * box.edge.x, q.y * box.edge.y, q.z * box.edge.z} : q - low;
-    atom.v = vector(columns.v, "velocity");
+    atom.q = columns.scaled ? box.turned.box.position(q) : box.turned.turned(q - box.low);
+    atom.v = box.turned.turned(vector(columns.v, "velocity"));
     if (columns.f)
-      atom.f = vector(*columns.f, "force");
+      atom.f = box.turned.turned(vector(*columns.f, "force"));
     constexpr double most_edges = 1e6; // farther away a position has lost the digits that tell its neighbours
-    if (!(std::max({std::abs(atom.q.x / box.edge.x), std::abs(atom.q.y / box.edge.y),
-                    std::abs(atom.q.z / box.edge.z)}) < most_edges))
+    Vec3 const part = box.turned.box.parts(atom.q);
+    if (!(std::max({std::abs(part.x), std::abs(part.y), std::abs(part.z)}) < most_edges))
       lines_.refuse(
           fmt::format("the position of atom {} is more than {:g} box edges away", atom.id, most_edges));
     return atom;
+  }
+
+  /// In the order of the atoms that are expected.
+  void put_in_order(std::vector<Atom>& atoms, DumpColumns const& columns) {
+    if (place_.empty())
+      for (std::size_t k = 0; k < how_.atoms.size(); ++k)
+        place_[how_.atoms[k].id] = k;
+    std::vector<Atom> sorted(atoms.size());
+    for (auto const& atom : atoms) {
+      auto const found = place_.find(atom.id);
+      if (found == place_.end())
+        lines_.refuse(fmt::format(
+            "the frame that ends here has the atom {}, which the mapping's data file has not", atom.id));
+      auto& into = sorted[found->second];
+      auto const& expected = how_.atoms[found->second];
+      if (into.id != 0)
+        lines_.refuse(fmt::format("the frame that ends here has the atom {} twice", atom.id));
+      if (columns.type && atom.type != expected.type)
+        lines_.refuse(fmt::format("atom {} has the type {}, in the mapping's data file {}", atom.id,
+                                  atom.type, expected.type));
+      refuse_mass(atom, columns, expected.mass);
+      into = atom;
+    }
+    atoms = std::move(sorted);
+  }
+
+  void refuse_mass(Atom const& atom, DumpColumns const& columns, double expected) const {
+    constexpr double rounded = 1e-3;
+    if (columns.mass && !(std::abs(atom.mass - expected) <= rounded * expected))
+      lines_.refuse(fmt::format("atom {} has the mass {}, in the mapping {}", atom.id, atom.mass, expected));
   }
 
   void check_molecules(std::vector<Atom> const& atoms, DumpColumns const& columns) const {
@@ -210,11 +227,8 @@ class DumpReader {
             fmt::format("atom {} of molecule {} has the type {}, that of molecule {} the type {}: the "
                         "mapping takes all molecules as equal, atoms in the order of their ids",
                         k % n + 1, atom.molecule, atom.type, atoms[0].molecule, atoms[k % n].type));
-      constexpr double rounded = 1e-3;
-      if (columns.mass && k % n < how_.masses.size() &&
-          !(std::abs(atom.mass - how_.masses[k % n]) <= rounded * how_.masses[k % n]))
-        lines_.refuse(fmt::format("atom {} has the mass {}, in the mapping {}", atom.id, atom.mass,
-                                  how_.masses[k % n]));
+      if (k % n < how_.masses.size())
+        refuse_mass(atom, columns, how_.masses[k % n]);
     }
   }
 
@@ -222,6 +236,7 @@ class DumpReader {
   TrajectoryReading const& how_;
   DumpLines lines_;
   std::uintmax_t file_size_;
+  std::map<std::int64_t, std::size_t> place_; ///< of each atom that is expected, by its id
   bool warned_ = false;
 };
 

@@ -101,9 +101,36 @@ void read_pairs(fitting::TomlReader table, cg::MoleculeModel& model) {
   table.refuse_unknown();
 }
 
-Mapping read(fitting::TomlReader& reader) {
+/// The mapping whose forces stand in LAMMPS's own files.
+Mapping read_lammps(fitting::TomlReader& reader, std::filesystem::path const& folder) {
+  for (char const* key : {"atoms", "masses", "types", "bonds", "pairs"})
+    if (reader.has(key))
+      throw InputError(fmt::format("{}: with [lammps] its two files say it", key));
+  auto table = reader.table("lammps");
+  auto const data = folder / table.text("data"), settings = folder / table.text("settings");
+  std::optional<int> kind;
+  if (table.has("kind"))
+    kind = whole(table.number("kind"), "lammps.kind", 1, most_atoms);
+  table.refuse_unknown();
+  md::MoleculeStyles styles;
+  if (reader.has("units"))
+    styles.units = reader.text("units");
+  Mapping mapping{.name = reader.text("name"), .model = {}};
+  auto const system =
+      std::make_shared<md::MoleculeSystem>(md::read_molecule_system(data, settings, styles, kind));
+  mapping.units = unit_style(system->units), mapping.units_given = true;
+  mapping.model = cg::model_of(system->molecules.kind, mapping.units.energy_of_mv2);
+  mapping.masses = system->molecules.kind.masses();
+  mapping.system = system;
+  reader.refuse_unknown();
+  return mapping;
+}
+
+Mapping read(fitting::TomlReader& reader, std::filesystem::path const& folder) {
   if (auto const format = reader.text("format"); format != "mesobridge mapping 1")
     throw InputError(fmt::format("format = '{}': must be \"mesobridge mapping 1\"", format));
+  if (reader.has("lammps"))
+    return read_lammps(reader, folder);
   Mapping mapping{.name = reader.text("name"), .model = {}};
   mapping.units_given = reader.has("units");
   mapping.units = unit_style(mapping.units_given ? reader.text("units") : "lj");
@@ -136,7 +163,7 @@ Mapping read_mapping(std::filesystem::path const& file) {
   auto const table = fitting::parse_toml(read_text_file(file), file.string());
   fitting::TomlReader reader(table, file.string());
   try {
-    return read(reader);
+    return read(reader, file.parent_path());
   } catch (InputError const& error) {
     std::string const what = error.what();
     throw InputError(what.starts_with(file.string()) ? what : fmt::format("{}: {}", file.string(), what));

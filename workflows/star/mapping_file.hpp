@@ -1,7 +1,9 @@
 #pragma once
 #include "cg/molecule_model.hpp"
+#include "md/molecule_forces.hpp"
 #include "workflows/star/unit_style.hpp"
 #include <filesystem>
+#include <memory>
 
 namespace mesobridge::workflows {
 
@@ -32,12 +34,21 @@ namespace mesobridge::workflows {
 ///     cutoff = [ 1.122462048309373 ]
 ///     shifted = "yes"                 # zero at the cut-off
 ///     bonded = "yes"                  # "no": bonded atoms do not interact as pairs
+///
+/// Or, where the force field is more than this (angles, dihedrals, charges, other pairs; molecules among
+/// those of other kinds), instead of atoms, masses, types, bonds and pairs:
+///
+///     [lammps]
+///     data = "water.data"             # LAMMPS's data file of all atoms, from this file's folder
+///     settings = "water.settings"     # its commands for the force field
+///     kind = 1                        # of molecules, if there are several: 1 for that of the first one
 struct Mapping {
   std::string name;
   cg::MoleculeModel model; ///< its masses are consistent ones (see UnitStyle)
   UnitStyle units{};
-  bool units_given = false;     ///< false: the default
-  std::vector<double> masses{}; ///< of the atoms, in the unit system's own unit of mass
+  bool units_given = false;                           ///< false: the default
+  std::shared_ptr<md::MoleculeSystem const> system{}; ///< whose energies LAMMPS tells; or none
+  std::vector<double> masses{};                       ///< of the atoms, in the unit system's own unit of mass
 };
 
 /// Throws InputError with file, line, key and what is allowed.

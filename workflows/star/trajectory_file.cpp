@@ -22,19 +22,6 @@ std::string beginning(std::filesystem::path const& file) {
   return bytes;
 }
 
-void refuse_compressed(std::filesystem::path const& file, std::string const& bytes) {
-  constexpr std::pair<std::string_view, char const*> kinds[] = {{"\x1f\x8b", "gunzip"},
-                                                                {"BZh", "bunzip2"},
-                                                                {"\xfd"
-                                                                 "7zXZ",
-                                                                 "unxz"},
-                                                                {"\x28\xb5\x2f\xfd", "unzstd"}};
-  for (auto const& [start, tool] : kinds)
-    if (bytes.starts_with(start))
-      throw InputError(fmt::format("'{}' is compressed: decompress it first ({} -k '{}')", file.string(),
-                                   tool, file.string()));
-}
-
 /// Passes on the frames whose steps grow. A step that stands there again with the same atoms (the border of
 /// two runs, of which the second went on from the first) is left out.
 class InOrder {
@@ -80,6 +67,11 @@ class InOrder {
 
 Box TrajectoryFrame::image_box(double reach) const {
   Box result = box;
+  require(periodic[2] || (box.xz == 0 && box.yz == 0), "box",
+          fmt::format("tilts xz = {} and yz = {}", box.xz, box.yz),
+          "must be 0 where the box is not periodic along z");
+  require(periodic[1] || box.xy == 0, "box", fmt::format("tilt xy = {}", box.xy),
+          "must be 0 where the box is not periodic along y");
   auto const stretch = [&](double Vec3::*axis) {
     double low = 0, high = box.edge.*axis;
     for (auto const& r : q)
@@ -96,7 +88,6 @@ Box TrajectoryFrame::image_box(double reach) const {
 void read_trajectory(std::filesystem::path const& file, TrajectoryReading const& how,
                      std::function<void(TrajectoryFrame const&)> const& consume) {
   auto const bytes = beginning(file);
-  refuse_compressed(file, bytes);
   InOrder order(file, how);
   auto const in_order = [&](TrajectoryFrame const& frame) {
     if (order.takes(frame))

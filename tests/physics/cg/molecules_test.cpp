@@ -213,6 +213,26 @@ TEST_F(MoleculesTest, OfButaneHaveTheEnergyThatLammpsGivesOneAlone) {
   }
 }
 
+TEST_F(MoleculesTest, HaveTheEnergiesAndForcesOfTheirRunFromTheirPlacesAlone) {
+  auto const settings = butane_melt(folder_.path());
+  run(settings);
+  auto system = md::MoleculeMelt(settings).system();
+  md::write_data_file(folder_ / "melt.data", system.molecules.kind, system.molecules.q, system.molecules.box);
+  auto const told = md::read_molecule_system(folder_ / "melt.data", settings.forces, {});
+  md::FrameEnergies whole(world_, told, md::FrameEnergies::Of::whole_system, folder_.path());
+  for (int twice = 0; twice < 2; ++twice) {
+    auto const found = whole.of(last_.q, last_.box);
+    EXPECT_NEAR(found.reach, 9, 1e-4);
+    double touching = 0;
+    for (std::size_t i = 0; i < last_.q.size(); ++i) {
+      EXPECT_NEAR(found.potential[i], last_.potential[i], 1e-9) << i;
+      EXPECT_LT(norm(found.f[i] - last_.f[i]), 1e-7) << i;
+      touching += norm(last_.f[i]);
+    }
+    EXPECT_GT(touching, 1);
+  }
+}
+
 TEST_F(MoleculesTest, OfChainsWithFeneBondsAddUp) {
   run(chain_melt(folder_.path(), 2000, 600));
   expect_sums(1e-3);

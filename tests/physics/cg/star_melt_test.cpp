@@ -205,7 +205,7 @@ TEST(Blobs, MoleculesThatTheBoxCannotHoldAreRefused) {
     return std::string();
   };
   EXPECT_EQ(refusal(3.4), "") << "one of two";
-  EXPECT_NE(refusal(3.6).find("5.1 wide on average, more than half the box edge 10"), std::string::npos);
+  EXPECT_NE(refusal(3.6).find("5.1 wide on average, more than half of the box, 10"), std::string::npos);
   EXPECT_NE(refusal(4.43).find("on average"), std::string::npos) << "the WCA potential reaches 1.122";
   EXPECT_NE(refusal(4.45).find("its own image. Take a larger box (more molecules)"), std::string::npos);
   model.bonds.pop_back();

@@ -52,6 +52,14 @@ TEST(WaveShells, AreThoseOfTheBox) {
   ASSERT_EQ(duct.size(), 2u);
   EXPECT_EQ(duct[0].vectors.size(), 1u);
   EXPECT_EQ(duct[1].vectors.size(), 2u);
+  // Edges (5, 0, 0), (5, 6, 0), (-5, 6, 7): a lattice of 5 x 6 x 7.
+  auto const upright = wave_shells(Box{{5, 6, 7}}, 2),
+             tilted = wave_shells(Box{.edge = {5, 6, 7}, .xy = 5, .xz = -5, .yz = 6}, 3);
+  ASSERT_GE(tilted.size(), upright.size());
+  for (std::size_t k = 0; k < upright.size(); ++k) {
+    EXPECT_NEAR(tilted[k].k, upright[k].k, 1e-12);
+    EXPECT_EQ(tilted[k].vectors.size(), upright[k].vectors.size()) << k;
+  }
   EXPECT_THROW(wave_shells(Box{{5, 5, 5}}, 0.5), InputError);
   EXPECT_THROW(wave_shells(Box{{5, 5, 5}}, 7), InputError);
 }

@@ -40,7 +40,7 @@ TEST(TrajectoryForces, OfADumpAreTaken) {
   EXPECT_EQ(norm(F[0] - Vec3{-2, 52, 601}), 0); // atoms 1 and 2
   EXPECT_EQ(norm(F[1] - Vec3{1.5, 20, 293}), 0);
   EXPECT_EQ(Json::parse(with.output)["forces"], "trajectory");
-  EXPECT_NE(with.errors.find("not those of the mapping's pairs"), std::string::npos) << with.errors;
+  EXPECT_NE(with.errors.find("not those of the mapping's laws"), std::string::npos) << with.errors;
 
   write_text_file(scratch / "without.lammpstrj", dimers(0, false));
   auto const without = blobs_of(scratch / "without.lammpstrj", scratch / "without");
@@ -49,7 +49,7 @@ TEST(TrajectoryForces, OfADumpAreTaken) {
   double const r2 = 1.01, s6 = std::pow(r2, -3), strength = 24 * (2 * s6 * s6 - s6) / r2;
   EXPECT_NEAR(norm(by_pairs[0] - strength * Vec3{-0.1, -1, 0}), 0, 1e-9 * strength);
   EXPECT_EQ(norm(by_pairs[0] + by_pairs[1]), 0);
-  EXPECT_EQ(Json::parse(without.output)["forces"], "pairs of the mapping");
+  EXPECT_EQ(Json::parse(without.output)["forces"], "laws of the mapping");
 
   write_text_file(scratch / "mixed.lammpstrj", dimers(0, true) + dimers(10, false));
   auto const mixed = blobs_of(scratch / "mixed.lammpstrj", scratch / "mixed");

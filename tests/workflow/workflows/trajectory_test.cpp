@@ -1,10 +1,14 @@
 #include "scratch_directory.hpp"
 #include "workflows/process.hpp"
 #include "workflows/star/blob_file.hpp"
+#include "workflows/star/dump_lines.hpp"
 #include "workflows/text_file.hpp"
+#include <array>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <regex>
+#include <sstream>
 
 // Trajectories as other programs write them: those of tests/cases, of which another code has computed the
 // blobs (expected.json), and small ones that are written here.
@@ -66,6 +70,145 @@ TEST(Trajectory, EveryFormOfOneMeltGivesTheBlobsThatAnotherCodeFinds) {
     ++compared;
   }
   EXPECT_EQ(compared, 9u);
+}
+
+/// The lines of a dump, with the box and what else is said of it changed.
+std::string dump_with_box(std::string const& text, std::string const& head,
+                          std::array<std::string, 3> const& box,
+                          std::function<Vec3(Vec3 const&)> const& turned) {
+  std::istringstream in(text);
+  std::string line, out;
+  int of_box = 3;
+  while (std::getline(in, line)) {
+    if (line.starts_with("ITEM: BOX"))
+      line = "ITEM: BOX BOUNDS " + head + " pp pp pp", of_box = 0;
+    else if (of_box < 3)
+      line = box[std::size_t(of_box++)];
+    else if (auto const words = words_of(line); words.size() == 12) {
+      auto const vector = [&](std::size_t k) {
+        return turned({std::stod(std::string(words[k])), std::stod(std::string(words[k + 1])),
+                       std::stod(std::string(words[k + 2]))});
+      };
+      Vec3 const q = vector(3), v = vector(9);
+      line = fmt::format("{} {} {} {} {} {} 0 0 0 {} {} {}", words[0], words[1], words[2], q.x, q.y, q.z, v.x,
+                         v.y, v.z);
+    }
+    out += line + "\n";
+  }
+  return out;
+}
+
+// The box of 18 x 20 x 22, whose corner is (-9, 1, -3), by other edges of the same lattice: b + a, c + b - a.
+TEST(Trajectory, OfATiltedBoxIsThatOfTheUprightOneOfTheSameLattice) {
+  ScratchDirectory const scratch;
+  auto const text = read_text_file(cases + "dump/both.lammpstrj");
+  auto const same = [](Vec3 const& v) { return v; };
+  // A quarter turn about z, then one about x.
+  auto const turned = [](Vec3 const& v) { return Vec3{-v.y, -v.z, v.x}; };
+  std::array<Vec3, 4> const given{turned({18, 0, 0}), turned({18, 20, 0}), turned({-18, 20, 22}),
+                                  turned({-9, 1, -3})};
+  std::array<std::string, 3> vectors;
+  for (int k = 0; k < 3; ++k)
+    vectors[std::size_t(k)] = fmt::format("{} {} {} {}", given[std::size_t(k)].x, given[std::size_t(k)].y,
+                                          given[std::size_t(k)].z, component(given[3], k));
+  write_text_file(scratch / "0.lammpstrj",
+                  dump_with_box(text, "xy xz yz", {"-27 27 18", "1 41 -18", "-3 19 20"}, same));
+  write_text_file(scratch / "1.lammpstrj", dump_with_box(text, "abc origin", vectors, turned));
+  auto const expected = Json::parse(read_text_file(cases + "h5md/expected.json"));
+  for (std::string const name : {"0", "1"}) {
+    auto const result = blobs_of(scratch / (name + ".lammpstrj"), cases + "h5md/map.toml", scratch / name);
+    ASSERT_EQ(result.status, 0) << result.errors;
+    auto const data = read_blobs(scratch / name / "blobs.h5");
+    ASSERT_EQ(data.frames(), 6u);
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_NEAR(data.boxes[k].xy, 18, 1e-12);
+      EXPECT_NEAR(data.boxes[k].xz, -18, 1e-12);
+      EXPECT_NEAR(data.boxes[k].yz, 20, 1e-12);
+      EXPECT_NEAR(data.boxes[k].volume(), 18 * 20 * 22, 1e-9);
+      for (std::size_t m = 0; m < 27; ++m) {
+        EXPECT_NEAR(data.U_pot[27 * k + m], expected[k]["U_pot"][m].get<double>(), 2e-6) << name;
+        auto const P = expected[k]["P"][m].get<std::vector<double>>();
+        EXPECT_LT(norm(data.P[27 * k + m] - Vec3{P[0], P[1], P[2]}), 2e-6) << name;
+      }
+    }
+  }
+  auto const upright = blobs_of(cases + "dump/both.lammpstrj", cases + "h5md/map.toml", scratch / "upright");
+  ASSERT_EQ(upright.status, 0);
+  auto const a = read_blobs(scratch / "upright" / "blobs.h5"), b = read_blobs(scratch / "1" / "blobs.h5");
+  double Phi = 0;
+  for (std::size_t k = 0; k < a.Phi.size(); ++k) {
+    EXPECT_NEAR(b.Phi[k], a.Phi[k], 1e-9);
+    EXPECT_LT(norm(a.boxes[0].minimum_image(a.R[k] - b.R[k])), 1e-9);
+    Phi += a.Phi[k];
+  }
+  EXPECT_GT(Phi, 1);
+}
+
+/// LAMMPS's files of the melt of tetramers: its first frame, where the last molecules may be of another kind.
+void write_lammps_files(fs::path const& folder, int molecules_of_another_kind) {
+  std::istringstream in(read_text_file(cases + "dump/both.lammpstrj"));
+  std::string line, atoms, bonds;
+  int count = 0, bond = 0;
+  while (std::getline(in, line) && count < 108)
+    if (auto const words = words_of(line); words.size() == 12) {
+      int const id = std::stoi(std::string(words[0])), molecule = (id - 1) / 4 + 1;
+      atoms += fmt::format("{} {} {} {} {} {}\n", id, molecule,
+                           molecule > 27 - molecules_of_another_kind ? 2 : 1, words[3], words[4], words[5]);
+      if (id % 4 != 0)
+        bonds += fmt::format("{} 1 {} {}\n", ++bond, id, id + 1);
+      ++count;
+    }
+  write_text_file(folder / "melt.data",
+                  "tetramers\n\n108 atoms\n81 bonds\n2 atom types\n1 bond types\n-9 9 xlo xhi\n1 21 ylo yhi\n"
+                  "-3 19 zlo zhi\n\nMasses\n\n1 1\n2 1\n\nAtoms # bond\n\n" +
+                      atoms + "\nBonds\n\n" + bonds);
+  write_text_file(folder / "melt.settings",
+                  "units lj\npair_style lj/cut 1.122462048309373\npair_modify shift yes\n"
+                  "pair_coeff * * 1 1\nbond_style harmonic\nbond_coeff 1 25 1\n"
+                  "special_bonds lj 1 1 1\n");
+}
+
+TEST(Trajectory, ByLammpssEnergiesGivesTheBlobsOfTheMappingsOwnLaws) {
+  ScratchDirectory const scratch;
+  auto const own = blobs_of(cases + "dump/both.lammpstrj", cases + "h5md/map.toml", scratch / "own");
+  ASSERT_EQ(own.status, 0) << own.errors;
+  auto const expected = read_blobs(scratch / "own" / "blobs.h5");
+  write_text_file(scratch / "tilted.lammpstrj",
+                  dump_with_box(read_text_file(cases + "dump/both.lammpstrj"), "xy xz yz",
+                                {"-27 27 18", "1 41 -18", "-3 19 20"}, [](Vec3 const& v) { return v; }));
+  int compared = 0;
+  for (int const others : {0, 5}) {
+    auto const folder = scratch / fmt::format("{}", others);
+    fs::create_directories(folder);
+    write_lammps_files(folder, others);
+    write_text_file(folder / "map.toml", "format = \"mesobridge mapping 1\"\nname = \"tetramer\"\n[lammps]\n"
+                                         "data = \"melt.data\"\nsettings = \"melt.settings\"\nkind = 1\n");
+    for (auto const& file : {fs::path(cases + "dump/both.lammpstrj"), scratch / "tilted.lammpstrj",
+                             fs::path(cases + "h5md/within.h5")}) {
+      auto const result = blobs_of(file, folder / "map.toml", folder / "blobs");
+      ASSERT_EQ(result.status, 0) << result.errors;
+      auto const json = Json::parse(result.output);
+      EXPECT_NEAR(json["energy_last"].get<double>(), Json::parse(own.output)["energy_last"].get<double>(),
+                  1e-5);
+      auto const data = read_blobs(folder / "blobs" / "blobs.h5");
+      std::size_t const molecules = std::size_t(27 - others);
+      ASSERT_EQ(data.head.molecules, 27 - others);
+      for (std::size_t k = 0; k < data.frames(); ++k)
+        for (std::size_t m = 0; m < molecules; ++m) {
+          std::size_t const at = molecules * k + m, of = 27 * k + m;
+          EXPECT_NEAR(data.U_pot[at], expected.U_pot[of], 2e-6);
+          EXPECT_NEAR(data.U_kin[at], expected.U_kin[of], 2e-6);
+          EXPECT_NEAR(data.Phi[at], expected.Phi[of], 2e-6);
+          EXPECT_LT(norm(data.P[at] - expected.P[of]), 2e-6);
+        }
+      auto const forces = read_blob_forces(folder / "blobs" / "blobs.h5");
+      auto const of_own = read_blob_forces(scratch / "own" / "blobs.h5");
+      for (std::size_t m = 0; m < molecules; ++m)
+        EXPECT_LT(norm(forces[m] - of_own[m]), 1e-4) << m; // of positions with ten digits
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 6);
 }
 
 /// A dimer a frame: atoms at x = 5 and 6.1, z near the two ends of a box of 12, moving apart.
@@ -216,9 +359,9 @@ TEST(Trajectory, WhatContradictsItselfInAnH5mdFileIsRefusedByName) {
        },
        {"edges has frames of 2"}},
       {[](Written& f) {
-         f.edges = {12, 1, 0, 0, 12, 0, 0, 0, 12}, f.edges_shape = {3, 3};
+         f.edges = {12, 0, 0, 0, 12, 0, 12, 12, 0}, f.edges_shape = {3, 3};
        },
-       {"tilted"}},
+       {"edges", "make no box"}},
       {[](Written& f) {
          f.boundary = {"periodic", "open", "none"};
        },
