@@ -96,13 +96,16 @@ Choice choose_at_rest(Scene const& scene, StudyOptions const& options) {
 }
 
 /// What the trials say of the excess of the diffusion, in words.
-std::string words_of(Scene const& scene, sdpd::DiffusionAgainstStep const& diffusion) {
+std::string words_of(Scene const& scene, Choice const& choice) {
   if (!scene.scheme.dynamics)
     return "";
-  if (!diffusion.known())
-    return "; trials did not tell its excess of self-diffusion, which is that of a particle alone at most";
-  return fmt::format("; trials show {:.2f} ± {:.2f} of the excess of self-diffusion of a particle alone",
-                     diffusion.share.mean, diffusion.share.se);
+  double const bound = 100 * excess_by_bound(trial_of(scene), choice.dt);
+  auto const& [D_0, share] = choice.diffusion;
+  if (!choice.diffusion.known())
+    return fmt::format("; it makes self-diffusion too large by {:.2g} % at most, trials did not tell more",
+                       bound);
+  return fmt::format("; trials show that it changes self-diffusion by {:.2g} ± {:.1g} %", bound * share.mean,
+                     bound * share.se);
 }
 
 } // namespace
@@ -123,9 +126,8 @@ ChosenTimeStep choose_time_step(Scene const& scene, StudyOptions const& options)
     chosen.scheme.diffusion_share = choice.diffusion.share.mean;
     chosen.scheme.diffusion_share_se = choice.diffusion.share.se;
   }
-  return {chosen,
-          fmt::format("dt = {:g} reduced, chosen for {}; limited by {}{}", choice.dt,
-                      tolerance_text(scene.scheme), choice.because, words_of(scene, choice.diffusion))};
+  return {chosen, fmt::format("dt = {:g} reduced, chosen for {}; limited by {}{}", choice.dt,
+                              tolerance_text(scene.scheme), choice.because, words_of(scene, choice))};
 }
 
 Scene with_stored_time_step(Scene const& scene, Scene const& stored) {

@@ -23,16 +23,19 @@ double dt_by_bound(Scene const& scene, double share) {
          static_cast<double>(scene.scheme.fluctuate_every);
 }
 
+double excess_by_bound(Scene const& scene, double dt) {
+  return sdpd::diffusion_excess(decay_rate(scene), dt * static_cast<double>(scene.scheme.fluctuate_every));
+}
+
 sdpd::DiffusionAgainstStep diffusion_against_step(TradeOff const& found, Configuration const& of) {
-  double const rate = decay_rate(of_size(found.scene, of.K));
+  Scene const scene = of_size(found.scene, of.K);
   auto trials = of.trials;
   std::ranges::sort(trials, {}, &sdpd::TrialResult::dt);
   std::vector<double> excess;
   std::vector<cg::Estimate> D;
   for (auto const& trial : trials)
     if (!trial.failed()) {
-      double const step = trial.dt * static_cast<double>(found.scene.scheme.fluctuate_every);
-      excess.push_back(sdpd::diffusion_excess(rate, step));
+      excess.push_back(excess_by_bound(scene, trial.dt));
       D.push_back(trial.D);
     }
   return sdpd::diffusion_against_step(excess, D);

@@ -8,6 +8,9 @@ namespace mesobridge::workflows {
 /// scene's fluid (sdpd/README.md, Eq. (S92)); infinite without friction.
 double dt_by_bound(Scene const& scene, double share);
 
+/// That excess of a reduced time step.
+double excess_by_bound(Scene const& scene, double dt);
+
 /// What a configuration's trials say of that excess (S93).
 sdpd::DiffusionAgainstStep diffusion_against_step(TradeOff const& found, Configuration const& of);
 
