@@ -84,9 +84,10 @@ PairedError error_by_positive_pairs(std::span<double const> series) {
   return {std::sqrt(std::max(unbiased, 0.0) / n), 4 * (double(lags) + 0.5) / n};
 }
 
-/// The same mean with a larger standard error, and as many fewer independent samples.
+/// The same mean with a larger standard error, and as many fewer independent samples: one at least, as a
+/// sample of its own scatters no less than a mean.
 void enlarge(Estimate& estimate, double se) {
-  estimate.n_eff *= std::pow(estimate.se / se, 2);
+  estimate.n_eff = std::max(1.0, estimate.n_eff * std::pow(estimate.se / se, 2));
   estimate.se = se;
 }
 
@@ -104,7 +105,7 @@ double deviation(Estimate const& estimate, double value) {
 Estimate estimate_by_autocorrelation(std::span<double const> series) {
   auto const memory = autocorrelation_time(series);
   double const n_eff = double(series.size()) / memory.inefficiency();
-  return {mean_of(series), std::sqrt(memory.variance / n_eff), n_eff};
+  return {mean_of(series), std::sqrt(memory.variance / n_eff), std::max(1.0, n_eff)};
 }
 
 Estimate estimate_by_blocking(std::span<double const> series) {

@@ -1,6 +1,7 @@
 #include "sdpd/observe/health.hpp"
 #include "md/error.hpp"
 #include "sdpd/observe/pairing.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gsl/gsl_fit.h>
 #include <numeric>
@@ -66,10 +67,15 @@ class Examination {
   }
 
   void compare_with_set(std::string const& name, cg::Estimate const& T) {
-    if (is_beyond(T.mean - 1, T.se, much))
-      add("temperature_of_" + name, std::abs(T.mean - 1) > too_much,
-          fmt::format("{} is {:.3g} % {} the set temperature (standard error {:.2g} %)", name,
-                      100 * std::abs(T.mean - 1), T.mean > 1 ? "above" : "below", 100 * T.se));
+    double const se = error_without_gain(T, conditions_.gained_temperature);
+    if (!is_beyond(T.mean - 1, se, much))
+      return;
+    auto text = fmt::format("{} is {:.3g} % {} the set temperature (standard error {:.2g} %", name,
+                            100 * std::abs(T.mean - 1), T.mean > 1 ? "above" : "below", 100 * T.se);
+    constexpr double noticed = 0.9;
+    if (se < noticed * T.se)
+      text += fmt::format(", {:.2g} % without the energy that the time step has added", 100 * se);
+    add("temperature_of_" + name, std::abs(T.mean - 1) > too_much, text + ")");
   }
 
   void look_for_trend(std::string const& name, std::span<double const> series, double scale, double limit) {
@@ -159,6 +165,10 @@ Trend trend(std::span<double const> series) {
     left[k] = series[k] - offset - slope * x[k];
   double const spread_of_x = std::sqrt(1.0 / 12);
   return {slope, cg::estimate_mean(left).se / spread_of_x};
+}
+
+double error_without_gain(cg::Estimate const& T, double gained_temperature) {
+  return std::sqrt(std::max(0.0, T.se * T.se - gained_temperature * gained_temperature));
 }
 
 std::vector<Finding> examine(EquilibriumSampler const& samples, Equilibrium const& means,

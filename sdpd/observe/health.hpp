@@ -15,6 +15,9 @@ struct HealthConditions {
   bool has_motion = true;   ///< thermal motion, and with it a kinetic temperature
   bool keeps_energy = true; ///< false: a thermostat gives and takes energy
   bool was_equilibrated = true;
+  /// That the time step has added and that stands in the errors of the temperatures: it is no excuse for
+  /// being far from the set one.
+  double gained_temperature = 0;
   double thermal_energy = 0;       ///< heat capacity of all particles times the set temperature
   double thermal_pressure = 0;     ///< of an ideal gas of the fluid's molecules
   double tolerable_pairing = 0.01; ///< see pairing.hpp
@@ -30,6 +33,9 @@ struct Trend {
 /// By least squares; the standard error from what the line leaves over, with its memory. Throws InputError
 /// for fewer than 16 samples.
 Trend trend(std::span<double const> series);
+
+/// The error of a temperature without what the time step has added to it.
+double error_without_gain(cg::Estimate const& T, double gained_temperature);
 
 /// Compares the temperatures with each other and with the set one, which is 1, looks for means that still
 /// drift, for an energy that is not kept, for particles in pairs and for a crystal. A finding is beyond five

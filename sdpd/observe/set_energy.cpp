@@ -42,9 +42,13 @@ double set_temperature_error(EquilibriumSampler const& samples, SetEnergy const&
   require(energies.size() >= 32, "samples", energies.size(), "at least 32 are needed for errors");
   auto const T = cg::estimate_mean(temperature_at_first_energy(samples, set));
   double const parts = (times.back() - times.front()) / set.last_part;
-  double const gained =
-      std::accumulate(energies.begin(), energies.end(), 0.0) / double(energies.size()) - energies.front();
-  return std::hypot(T.se * std::sqrt(std::min(T.n_eff, parts)), gained / set.capacity);
+  return std::hypot(T.se * std::sqrt(std::min(T.n_eff, parts)), gained_temperature(samples, set));
+}
+
+double gained_temperature(EquilibriumSampler const& samples, SetEnergy const& set) {
+  auto const energies = samples.energies();
+  double const mean = std::accumulate(energies.begin(), energies.end(), 0.0) / double(energies.size());
+  return (mean - energies.front()) / set.capacity;
 }
 
 void add_error_of_set_energy(Equilibrium& means, double temperature_error, SetEnergy const& set) {

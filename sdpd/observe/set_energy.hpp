@@ -25,6 +25,10 @@ double pressure_slope(SimulationSettings const& settings);
 /// samples.
 double set_temperature_error(EquilibriumSampler const& samples, SetEnergy const& set);
 
+/// The part of it that the time step has added: what the mean energy has gained since the first sample, as a
+/// temperature, of either sign.
+double gained_temperature(EquilibriumSampler const& samples, SetEnergy const& set);
+
 /// Adds it to the errors of the temperatures, the pressure and the internal energy (S91): a run's own samples
 /// know nothing of it.
 void add_error_of_set_energy(Equilibrium& means, double temperature_error, SetEnergy const& set);

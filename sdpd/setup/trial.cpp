@@ -1,4 +1,5 @@
 #include "sdpd/setup/trial.hpp"
+#include "cg/diffusion.hpp"
 #include "md/error.hpp"
 #include "md/processor_clock.hpp"
 #include "sdpd/observe/energy_walk.hpp"
@@ -19,6 +20,9 @@ constexpr double walk_lag = 3; ///< reduced time: the bounded part of the energy
 /// For a drift from a part of the samples: its error comes from eight segments, which must not remember each
 /// other.
 constexpr double least_time = 8 * 2 * walk_lag;
+constexpr double longest_lag = 8;             ///< reduced time over which displacements are followed
+constexpr double least_lags = 4;              ///< of them in a trial that tells its self-diffusion
+constexpr std::size_t most_moves = 1U << 20U; ///< particles times frames that are remembered: 48 MB
 
 /// A trial on its way.
 class TrialRun {
@@ -72,6 +76,27 @@ class TrialRun {
     auto const now = simulation_.observe();
     refuse_runaway(now, settings_.dt);
     sampler_.sample(now, time);
+    follow_motion(time);
+  }
+
+  void follow_motion(double time) {
+    std::size_t const n = simulation_.size();
+    if (!settings_.noise || (motion_.frames() + 1) * n > most_moves)
+      return;
+    auto const now = simulation_.snapshot();
+    motion_.molecules = n;
+    motion_.times.push_back(time), motion_.boxes.push_back(simulation_.box());
+    motion_.R.insert(motion_.R.end(), now.q.begin(), now.q.end());
+    motion_.P.insert(motion_.P.end(), now.p.begin(), now.p.end());
+  }
+
+  cg::Estimate self_diffusion() const {
+    constexpr std::size_t least_frames_of_lag = 8;
+    bool const moves = conservative_integrator(settings_.scheme.conservative).moves();
+    if (!moves || motion_.frames() < least_frames_of_lag || motion_.times.back() < least_lags * longest_lag ||
+        longest_lag < least_frames_of_lag * motion_.interval())
+      return {};
+    return cg::diffusion(motion_, {.longest = longest_lag}).D;
   }
 
   void take_instant() {
@@ -111,6 +136,7 @@ class TrialRun {
         .T_kin = equilibrium.T_kin,
         .T_int = equilibrium.T_int,
         .P = equilibrium.P,
+        .D = self_diffusion(),
         .eps_mean = in(equilibrium.eps.mean, K),
         .eps_variance = in(equilibrium.eps.variance, K * K),
         .rejected_out_of_domain =
@@ -166,6 +192,7 @@ class TrialRun {
   Simulation simulation_;
   PairCounts counts_at_start_;
   EquilibriumSampler sampler_;
+  cg::BlobSeries motion_{.atoms = 1, .mass = 1, .free_atoms = true}; ///< its temperature is not asked for
   std::vector<double> first_, second_;
   std::int64_t instants_taken_ = 0;
   std::uint64_t done_ = 0;

@@ -1,10 +1,13 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/lammps_run.hpp"
 #include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
 #include "workflows/sdpd/start_picture.hpp"
+#include "workflows/study/dynamics.hpp"
+#include "workflows/study/rounded_dt.hpp"
 #include "workflows/text_file.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
@@ -43,6 +46,18 @@ void put_time_step(Result& result, sdpd::SimulationSettings const& settings, Uni
                              settings.dt, settings.dt * units.time, system == UnitSystem::lj ? "tau" : "s");
 }
 
+/// The time step that surely keeps the wanted dynamics: trials may find that a longer one does.
+void put_dynamic_step(Result& result, Scene const& scene) {
+  double const bound = dt_by_bound(scene, parse_share(*scene.scheme.dynamics));
+  if (!std::isfinite(bound)) // without friction no step of it can be too long
+    return;
+  double const dt = rounded_down(bound);
+  result.json["dynamics_dt_reduced_at_least"] = dt;
+  result.text += fmt::format("\n# dynamics {}: dt = {:g} reduced keeps it for a particle alone; trials find "
+                             "how much longer it may be",
+                             *scene.scheme.dynamics, dt);
+}
+
 Result check(CheckOptions const& options, Context const& context) {
   if (options.keys)
     return {.json = {{"keys", scene_keys_text()}}, .text = scene_keys_text(), .complaint = ""};
@@ -78,6 +93,8 @@ Result check(CheckOptions const& options, Context const& context) {
                 .complaint = ""};
   if (!scene.scheme.dt.automatic)
     put_time_step(result, settings, scene.units);
+  else if (scene.scheme.dynamics)
+    put_dynamic_step(result, scene);
   if (!regions.empty())
     result.json["regions"] = regions;
   if (options.drawing) {

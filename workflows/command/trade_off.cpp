@@ -20,7 +20,7 @@ struct TradeOffOptions {
                     .integrators = {"verlet", "mclachlan"},
                     .dt = {},
                     .K = {}};
-  std::optional<std::string> drift, bias;
+  std::optional<std::string> drift, bias, dynamics;
   bool no_limit = false;
 };
 
@@ -69,8 +69,11 @@ Target target_of(TradeOffOptions const& options, Scene const& scene) {
             "the thermostat of DPD keeps no energy that could drift; give a --bias");
   double const time = settings_of(scene, 1).units().time();
   read("--drift", options.drift,
-       [&] { target.drift = parse_target(options.drift, {}, scene.units, time).drift; });
-  read("--bias", options.bias, [&] { target.bias = parse_target({}, options.bias, scene.units, time).bias; });
+       [&] { target.drift = parse_target(options.drift, {}, {}, scene.units, time).drift; });
+  read("--bias", options.bias,
+       [&] { target.bias = parse_target({}, options.bias, {}, scene.units, time).bias; });
+  read("--dynamics", options.dynamics,
+       [&] { target.dynamics = parse_target({}, {}, options.dynamics, scene.units, time).dynamics; });
   return target;
 }
 
@@ -101,7 +104,7 @@ Result measure_trade_off(TradeOffOptions const& options, Context const& context)
   report.provenance = {
       context.command_line(), static_cast<std::uint64_t>(scene.run.seed), resolved_toml(scene), {}};
   auto result = with_report(directory, trade_off_json(found, target), report.html());
-  if (target.drift || target.bias)
+  if (target.any())
     result.text = recommendation_text(found, target) + result.text;
   return result;
 }
@@ -121,6 +124,9 @@ void declare(CLI::App& app, TradeOffOptions& options) {
   app.add_option("--particles", plan.particles, "of a run, at least")->check(CLI::Range(125, 1000000));
   app.add_option("--drift", options.drift, "Wanted energy drift, such as 1e-6/ps")->type_name("RATE");
   app.add_option("--bias", options.bias, "Wanted bias of T_kin, T_int and P, such as 0.5%")
+      ->type_name("SHARE");
+  app.add_option("--dynamics", options.dynamics,
+                 "By how much the time step may change self-diffusion, such as 5%")
       ->type_name("SHARE");
   app.add_flag("--no-limit", options.no_limit, "do not search for the largest stable time steps");
 }

@@ -4,7 +4,9 @@
 #include "sdpd/observe/health.hpp"
 #include "sdpd/observe/pairing.hpp"
 #include "sdpd/simulation.hpp"
+#include <algorithm>
 #include <cmath>
+#include <fmt/ranges.h>
 #include <numbers>
 
 namespace mesobridge::workflows {
@@ -120,6 +122,43 @@ StructureKind structure_of(StructureCase const& of, FoundStructure const& found)
   if (surely(found.crystal, sdpd::HealthConditions{}.tolerable_crystal))
     return StructureKind::crystal;
   return found.moved.mean > cage ? StructureKind::fluid : StructureKind::glass;
+}
+
+StructureVerdict verdict_of(StructureCase const& of, std::span<FoundStructure const> runs) {
+  StructureVerdict verdict{.runs = runs.size()};
+  for (auto const& run : runs)
+    ++(run.failure.empty() ? verdict.became[static_cast<std::size_t>(structure_of(of, run))]
+                           : verdict.stopped);
+  return verdict;
+}
+
+std::string StructureVerdict::text() const {
+  std::vector<std::string> parts;
+  auto const say = [&](std::string const& name, std::size_t count) {
+    if (count == runs)
+      parts.push_back(name);
+    else if (count > 0)
+      parts.push_back(fmt::format("{} {} of {}", name, count, runs));
+  };
+  using enum StructureKind;
+  for (auto const kind : {crystal, paired, glass, fluid})
+    say(name_of(kind), count(kind));
+  say("stops", stopped);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::optional<cg::Estimate> over_runs(std::span<FoundStructure const> runs,
+                                      cg::Estimate FoundStructure::*quantity) {
+  double n = 0, sum = 0, squares = 0, own = 0, n_eff = 0;
+  for (auto const& run : runs)
+    if (run.failure.empty()) {
+      auto const& e = run.*quantity;
+      ++n, sum += e.mean, squares += e.mean * e.mean, own += e.se * e.se, n_eff += e.n_eff;
+    }
+  if (n == 0)
+    return std::nullopt;
+  double const mean = sum / n, spread = n > 1 ? std::max(0.0, squares / n - mean * mean) / (n - 1) : 0;
+  return cg::Estimate{mean, std::sqrt(std::max(own / (n * n), spread)), n_eff};
 }
 
 std::vector<StructureCase> cases_of(StructurePlan const& plan) {

@@ -1,7 +1,10 @@
 #pragma once
 #include "cg/estimate.hpp"
 #include "sdpd/method/settings.hpp"
+#include <array>
 #include <functional>
+#include <optional>
+#include <span>
 
 namespace mesobridge::workflows {
 
@@ -29,11 +32,28 @@ inline constexpr double cage = 0.1;
 /// By the shares that are surely above what may be, then by the displacements.
 StructureKind structure_of(StructureCase const& of, FoundStructure const& found);
 
+/// What the runs of one case have become: a kernel may freeze by chance.
+struct StructureVerdict {
+  std::size_t runs = 0, stopped = 0;   ///< stopped: could not go on
+  std::array<std::size_t, 4> became{}; ///< in the order of StructureKind
+
+  std::size_t count(StructureKind kind) const { return became[static_cast<std::size_t>(kind)]; }
+  /// "glass" where all runs say so, else "crystal 2 of 3, glass 1 of 3".
+  std::string text() const;
+};
+StructureVerdict verdict_of(StructureCase const& of, std::span<FoundStructure const> runs);
+
+/// A share or displacement in the mean over the runs that went on; its error is the larger one of what they
+/// say themselves and of what their spread says. Nothing where none went on.
+std::optional<cg::Estimate> over_runs(std::span<FoundStructure const> runs,
+                                      cg::Estimate FoundStructure::*quantity);
+
 struct StructurePlan {
   std::vector<std::string> kernels;
   std::vector<double> neighbours, K;
   double time = 150;      ///< reduced, of a run
   std::uint32_t side = 7; ///< particles along an edge of the box, at least
+  std::size_t runs = 1;   ///< of each case, with seeds one after the other
 };
 
 std::vector<StructureCase> cases_of(StructurePlan const& plan);

@@ -126,6 +126,10 @@ void check_tolerance(Scene const& scene, Places const& places) {
     balance_tolerance(scheme) ? parse_share(text) : parse_rate(text, scene.units);
   });
   check("scheme.bias", scheme.bias, [](std::string const& text) { parse_share(text); });
+  check("scheme.dynamics", scheme.dynamics, [](std::string const& text) { parse_share(text); });
+  if (scheme.dynamics)
+    require_together(scene.noise() && scheme.conservative != "none", places, "scheme.dynamics",
+                     *scheme.dynamics, "must not be given: nothing diffuses without noise or motion");
   if (scheme.drift)
     require_together(
         scene.features().energies, places, "scheme.drift", *scheme.drift,
@@ -133,9 +137,9 @@ void check_tolerance(Scene const& scene, Places const& places) {
   if (balance_tolerance(scheme))
     check_balance(scene, places);
   require_together(
-      !scheme.dt.automatic || scheme.drift || scheme.bias, places, "scheme.dt", "\"auto\"",
+      !scheme.dt.automatic || scheme.drift || scheme.bias || scheme.dynamics, places, "scheme.dt", "\"auto\"",
       "needs a tolerance: scheme.drift, such as \"1e-6/ps\" or, in scenes that something drives, "
-      "\"1%\", or scheme.bias, such as \"0.5%\"");
+      "\"1%\", scheme.bias, such as \"0.5%\", or scheme.dynamics, such as \"5%\"");
 }
 
 } // namespace

@@ -155,8 +155,10 @@ struct Scene {
     std::string conservative = "verlet";
     std::int64_t fluctuate_every = 1;
     std::string energy = "free";
-    std::optional<std::string> drift, bias;   ///< tolerances for an automatic time step
-    std::optional<std::string> dt_chosen_for; ///< the tolerance that a chosen time step keeps
+    std::optional<std::string> drift, bias, dynamics; ///< tolerances for an automatic time step
+    std::optional<std::string> dt_chosen_for;         ///< the tolerance that a chosen time step keeps
+    /// Of the excess (S92), that trials of the time step have shown, and its standard error.
+    std::optional<double> diffusion_share, diffusion_share_se;
     bool operator==(Scheme const&) const = default;
   } scheme;
   struct Run {

@@ -55,6 +55,8 @@ std::string tolerance_text(Scene::Scheme const& scheme) {
     parts.push_back("drift " + *scheme.drift);
   if (scheme.bias)
     parts.push_back("bias " + *scheme.bias);
+  if (scheme.dynamics)
+    parts.push_back("dynamics " + *scheme.dynamics);
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -14,7 +14,8 @@ double parse_share(std::string const& text);
 /// nothing where it is a rate. Throws InputError as parse_share.
 std::optional<double> balance_tolerance(Scene::Scheme const& scheme);
 
-/// What errors a scene tolerates of its automatic time step in one line: "drift 1e-6/ps, bias 0.5%".
+/// What errors a scene tolerates of its automatic time step in one line: "drift 1e-6/ps, bias 0.5%, dynamics
+/// 5%".
 std::string tolerance_text(Scene::Scheme const& scheme);
 
 } // namespace mesobridge::workflows

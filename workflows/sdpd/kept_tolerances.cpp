@@ -1,5 +1,7 @@
 #include "workflows/sdpd/kept_tolerances.hpp"
 #include "md/error.hpp"
+#include "sdpd/method/step_diffusion.hpp"
+#include "sdpd/observe/health.hpp"
 #include "workflows/scene/driven.hpp"
 #include "workflows/scene/tolerance.hpp"
 #include <cmath>
@@ -30,28 +32,51 @@ Json kept_drift(RunResult const& result, std::string const& text) {
 }
 
 /// Of the temperatures, which are known; that of the pressure shows only beside shorter steps.
-Json kept_bias(RunResult const& result, sdpd::Equilibrium const& e, std::string const& text) {
-  bool const kinetic =
-      !result.settings.features().energies ||
-      std::abs(e.T_kin.mean - 1) - 2 * e.T_kin.se > std::abs(e.T_int.mean - 1) - 2 * e.T_int.se;
+Json kept_bias(RunResult const& result, std::string const& text) {
+  auto const& e = result.equilibrium;
+  auto const se = [&](cg::Estimate const& T) {
+    return sdpd::error_without_gain(T, result.gained_temperature);
+  };
+  auto const surely = [&](cg::Estimate const& T) { return std::abs(T.mean - 1) - 2 * se(T); };
+  bool const kinetic = !result.settings.features().energies || surely(e.T_kin) > surely(e.T_int);
   auto const& T = kinetic ? e.T_kin : e.T_int;
-  return kept(text, parse_share(text), std::abs(T.mean - 1), T.se);
+  return kept(text, parse_share(text), std::abs(T.mean - 1), se(T));
+}
+
+/// Of the self-diffusion: what trials of the time step have shown of its excess or, where they did not tell,
+/// that of a particle alone, which is the most that may be.
+Json kept_dynamics(RunResult const& result, std::string const& text) {
+  auto const& scheme = result.scene.scheme;
+  double const excess = diffusion_excess_at_most(result);
+  bool const known = scheme.diffusion_share && scheme.diffusion_share_se;
+  Json json = known ? kept(text, parse_share(text), excess * std::abs(*scheme.diffusion_share),
+                           excess * *scheme.diffusion_share_se)
+                    : kept(text, parse_share(text), excess, 0);
+  json["by"] = known ? "trials" : "bound";
+  return json;
 }
 
 /// Nothing of what was found in trials of the fluid at rest where something drives the run.
-Json kept_part(RunResult const& result, sdpd::Equilibrium const& by_samples, std::string const& name,
-               std::string const& text) {
+Json kept_part(RunResult const& result, std::string const& name, std::string const& text) {
   bool const driven = is_driven(result.scene);
   if (name == "drift" && driven == text.ends_with('%'))
     return kept_drift(result, text);
   if (name == "bias" && !driven && result.settings.noise)
-    return kept_bias(result, by_samples, text);
+    return kept_bias(result, text);
+  if (name == "dynamics" && !driven && result.settings.noise)
+    return kept_dynamics(result, text);
   return {};
 }
 
 } // namespace
 
-Json kept_tolerances(RunResult const& result, sdpd::Equilibrium const& by_samples) {
+double diffusion_excess_at_most(RunResult const& result) {
+  return sdpd::diffusion_excess(sdpd::velocity_decay_rate(result.settings),
+                                result.settings.dt *
+                                    static_cast<double>(result.scene.scheme.fluctuate_every));
+}
+
+Json kept_tolerances(RunResult const& result) {
   Json all;
   std::istringstream wanted(result.scene.scheme.dt_chosen_for.value_or(""));
   for (std::string part; std::getline(wanted >> std::ws, part, ',');) {
@@ -60,7 +85,7 @@ Json kept_tolerances(RunResult const& result, sdpd::Equilibrium const& by_sample
       continue;
     auto const name = part.substr(0, space), text = part.substr(space + 1);
     try {
-      if (auto const one = kept_part(result, by_samples, name, text); !one.is_null())
+      if (auto const one = kept_part(result, name, text); !one.is_null())
         all[name] = one;
     } catch (InputError const&) {
       continue; // words that a user has written there

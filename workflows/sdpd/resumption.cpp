@@ -100,6 +100,8 @@ Scene with_findings(Scene scene, Values const& stored) {
     Scene past;
     past.scheme.dt = {.value = number_of<double>(stored, "scheme.dt").value_or(0)};
     past.scheme.dt_chosen_for = text_of(stored, "scheme.dt_chosen_for");
+    past.scheme.diffusion_share = number_of<double>(stored, "scheme.diffusion_share");
+    past.scheme.diffusion_share_se = number_of<double>(stored, "scheme.diffusion_share_se");
     scene = with_stored_time_step(scene, past);
   }
   if (wants_calibration(scene)) {

@@ -140,6 +140,7 @@ std::vector<sdpd::Finding> findings_of(sdpd::EquilibriumSampler const& samples, 
                     {.has_motion = settings.noise,
                      .keeps_energy = keeps_energy,
                      .was_equilibrated = result.scene.run.equilibrate > 0,
+                     .gained_temperature = result.gained_temperature,
                      .thermal_energy = keeps_energy ? simulation.heat_capacity() / settings.K() : 0,
                      .thermal_pressure = std::pow(settings.spacing(), -3),
                      .tolerable_pairing = sdpd::tolerable_pairing(settings.K())});

@@ -251,17 +251,18 @@ class Run {
                      .P = file.particle_values("P"),
                      .findings = {},
                      .summary = {}};
-    result.findings = findings_of(sampler, result, simulation_);
     auto const set = energy_of_scene(scene_, settings_, simulation_);
-    auto const by_samples = result.equilibrium;
     double const set_temperature_error = set ? sdpd::set_temperature_error(sampler, *set) : 0;
-    if (set)
+    if (set) {
       sdpd::add_error_of_set_energy(result.equilibrium, set_temperature_error, *set);
+      result.gained_temperature = sdpd::gained_temperature(sampler, *set);
+    }
+    result.findings = findings_of(sampler, result, simulation_);
     result.summary = run_summary(result, simulation_, file, units_, calibration_);
     if (set)
       result.summary["set_temperature" + units_.temperature_key + "_se"] =
           set_temperature_error * units_.temperature;
-    if (auto const kept = kept_tolerances(result, by_samples); !kept.is_null())
+    if (auto const kept = kept_tolerances(result); !kept.is_null())
       result.summary["tolerances"] = kept;
     tell_engine(result.summary, options_.engine, made_steps_, folder_.summary());
     if (!options_.told_again)

@@ -28,6 +28,9 @@ struct RunResult {
   Scene scene;
   sdpd::SimulationSettings settings;
   sdpd::Equilibrium equilibrium; ///< reduced
+  /// In the errors of its temperatures: what the time step has added to the energy (sdpd/README.md, Eq.
+  /// (S90)).
+  double gained_temperature = 0;
   double neighbours = 0;
   double us_per_particle_step = 0;     ///< of the sampled part, with its observations and files
   std::vector<double> times, energies; ///< reduced

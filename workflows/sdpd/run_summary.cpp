@@ -1,8 +1,8 @@
 #include "workflows/sdpd/run_summary.hpp"
-#include "sdpd/method/step_diffusion.hpp"
 #include "sdpd/setup/balance.hpp"
 #include "workflows/sdpd/detonation.hpp"
 #include "workflows/sdpd/flow.hpp"
+#include "workflows/sdpd/kept_tolerances.hpp"
 #include "workflows/sdpd/measured_series.hpp"
 #include "workflows/sdpd/piston_shock.hpp"
 #include "workflows/sdpd/riemann_problem.hpp"
@@ -127,8 +127,7 @@ Json run_summary(RunResult const& result, sdpd::Simulation const& simulation, Ru
   auto const p = simulation.observe().momentum;
   json["momentum" + units.momentum_key] = norm(p) * units.momentum;
   if (settings.noise)
-    json["diffusion_excess_at_most"] = sdpd::diffusion_excess(
-        sdpd::velocity_decay_rate(settings), settings.dt * static_cast<double>(scene.scheme.fluctuate_every));
+    json["diffusion_excess_at_most"] = diffusion_excess_at_most(result);
   json["findings"] = findings_json(result.findings);
   return json;
 }

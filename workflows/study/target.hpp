@@ -7,6 +7,6 @@ namespace mesobridge::workflows {
 /// The target of these texts for particles whose reduced unit of time is `time` (s, or Lennard-Jones units),
 /// written as scenes write them.
 Target parse_target(std::optional<std::string> const& drift, std::optional<std::string> const& bias,
-                    UnitSystem units, double time);
+                    std::optional<std::string> const& dynamics, UnitSystem units, double time);
 
 } // namespace mesobridge::workflows

@@ -2,6 +2,7 @@
 #include "cg/distribution_error.hpp"
 #include "md/error.hpp"
 #include "sdpd/observe/gamma_law.hpp"
+#include "workflows/study/dynamics.hpp"
 #include "workflows/study/rounded_dt.hpp"
 #include <algorithm>
 
@@ -75,6 +76,10 @@ cg::Estimate relative(cg::Estimate const& found, cg::Estimate const& reference) 
   double const size = std::abs(reference.mean);
   return {(found.mean - reference.mean) / size, std::hypot(found.se, reference.se) / size,
           std::min(found.n_eff, reference.n_eff)};
+}
+
+cg::Estimate bias_of_diffusion(cg::Estimate const& found, cg::Estimate const& reference) {
+  return found.se > 0 && reference.se > 0 ? relative(found, reference) : cg::Estimate{};
 }
 
 double bound_of(cg::Estimate const& bias) {
@@ -163,10 +168,13 @@ sdpd::TrialResult const& TradeOff::reference(double K) const {
 Bias TradeOff::bias(Configuration const& of, sdpd::TrialResult const& trial) const {
   auto const& exact = reference(of.K);
   if (!scene.features().energies)
-    return {.T_kin = relative(trial.T_kin, {1, 0, trial.T_kin.n_eff}), .P = relative(trial.P, exact.P)};
+    return {.T_kin = relative(trial.T_kin, {1, 0, trial.T_kin.n_eff}),
+            .P = relative(trial.P, exact.P),
+            .D = bias_of_diffusion(trial.D, exact.D)};
   Bias bias{.T_kin = relative(trial.T_kin, exact.T_kin),
             .T_int = relative(trial.T_int, exact.T_int),
             .P = relative(trial.P, exact.P),
+            .D = bias_of_diffusion(trial.D, exact.D),
             .eps_variance = relative(trial.eps_variance, exact.eps_variance)};
   auto histogram = exact.histogram();
   if (scene.fluid.eos == "ideal-gas") {
@@ -232,6 +240,8 @@ std::optional<Recommendation> largest_dt(TradeOff const& found, std::size_t inde
     return std::nullopt;
   if (target.bias)
     limit_by_bias(found, of, *target.bias, limit);
+  if (target.dynamics)
+    limit.lower(largest_dynamic_dt(found, of, *target.dynamics), "the wanted dynamics");
   double const dt = rounded_down(limit.dt);
   return Recommendation{.configuration = index,
                         .dt = dt,

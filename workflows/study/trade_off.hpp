@@ -14,10 +14,12 @@ struct TradeOffPlan {
   bool stability_limit = true;  ///< find the largest stable time step of every configuration
 };
 
-/// A tolerance: energy drift of (E - E_0)/|E_0| per reduced unit of time, or relative bias of T_kin, T_int
-/// and P.
+/// A tolerance: energy drift of (E - E_0)/|E_0| per reduced unit of time, relative bias of T_kin, T_int and
+/// P, or excess of the self-diffusion.
 struct Target {
-  std::optional<double> drift, bias;
+  std::optional<double> drift, bias, dynamics;
+
+  bool any() const { return drift || bias || dynamics; }
 };
 
 /// One scheme, splitting, integrator and size over all time steps.
@@ -36,6 +38,7 @@ struct Configuration {
 /// of DPD is compared with the set temperature, which its thermostat keeps.
 struct Bias {
   cg::Estimate T_kin, T_int, P;
+  cg::Estimate D; ///< se = 0: one of the two is not known
   cg::Estimate eps_variance;
   double distribution = 0,
          distribution_noise = 0; ///< cg/README.md, Eq. (C16), and what the sample's noise makes of it

@@ -1,4 +1,5 @@
 #include "workflows/study/trade_off_summary.hpp"
+#include "workflows/study/dynamics.hpp"
 #include "workflows/study/trade_off_parts.hpp"
 #include "workflows/summary.hpp"
 
@@ -34,6 +35,11 @@ Json trial_json(TradeOff const& found, Configuration const& of, sdpd::TrialResul
   put(json, "P" + units.units.pressure_key,
       {trial.P.mean * units.units.pressure, trial.P.se * units.units.pressure, trial.P.n_eff});
   put(json, "bias_T_kin", bias.T_kin), put(json, "bias_P", bias.P);
+  auto const& [time, length] = std::tie(units.units.time, units.units.length);
+  if (trial.D.se > 0)
+    put(json, units.si ? "D_m2_per_s" : "D", scaled(trial.D, length * length / time));
+  if (bias.D.se > 0)
+    put(json, "bias_D", bias.D);
   if (energies) {
     put(json, "bias_T_int", bias.T_int), put(json, "bias_eps_variance", bias.eps_variance);
     json["eps_distribution_error"] = bias.distribution;
@@ -81,6 +87,8 @@ std::string target_text(Target const& target) {
     parts.push_back(fmt::format("energy drift {:.3g} per reduced unit of time", *target.drift));
   if (target.bias)
     parts.push_back(fmt::format("bias of T_kin, T_int and P {:.3g} %", 100 * *target.bias));
+  if (target.dynamics)
+    parts.push_back(fmt::format("self-diffusion within {:.3g} %", 100 * *target.dynamics));
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
@@ -125,11 +133,13 @@ Json trade_off_json(TradeOff const& found, Target const& target) {
       one["smallest_failing_dt_reduced"] = *of.failing_dt;
     if (of.drift.known())
       put(one, "drift_exponent", of.drift.exponent);
+    if (auto const motion = diffusion_against_step(found, of); motion.known())
+      put(one, "diffusion_excess_share", motion.share);
     for (std::size_t k = 0; k < of.trials.size(); ++k)
       one["trials"].push_back(trial_json(found, of, of.trials[k], found.plan.dt[k]));
     json["configurations"].push_back(one);
   }
-  if (!target.drift && !target.bias)
+  if (!target.any())
     return json;
   json["target"] = target_text(target);
   for (double const K : sizes(found)) {

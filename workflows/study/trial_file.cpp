@@ -9,7 +9,7 @@ template <class Result, class F>
 requires std::is_same_v<std::remove_const_t<Result>, sdpd::TrialResult>
 void for_each_member(Result& r, F const& f) {
   f("failure", r.failure), f("dt", r.dt), f("settled", r.settled);
-  f("T_kin", r.T_kin), f("T_int", r.T_int), f("P", r.P);
+  f("T_kin", r.T_kin), f("T_int", r.T_int), f("P", r.P), f("D", r.D);
   f("eps_mean", r.eps_mean), f("eps_variance", r.eps_variance);
   f("drift_unknown", r.drift_unknown), f("drift_of_mean", r.drift_of_mean),
       f("drift_of_walk", r.drift_of_walk);

@@ -4,8 +4,10 @@
 #include "sdpd_fixtures.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <random>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -23,7 +25,62 @@ TEST(StepDiffusion, IsThatOfAVelocityThatForgetsInSteps) {
   }
   EXPECT_EQ(cases, 3);
   EXPECT_NEAR(diffusion_excess(3, step_of_diffusion_excess(3, 0.05)), 0.05, 1e-9);
+  EXPECT_NEAR(diffusion_excess(3, step_of_diffusion_excess(3, 7)), 7, 1e-9);
   EXPECT_TRUE(std::isinf(step_of_diffusion_excess(0, 0.05)));
+}
+
+std::vector<double> const excesses{0.05, 0.2, 0.6, 1.5, 5};
+
+/// Diffusions D_0 = 2 with the share 0.4 of the excess, known to 2 %.
+std::vector<cg::Estimate> diffusions(std::function<double()> const& noise) {
+  std::vector<cg::Estimate> D;
+  for (double const excess : excesses) {
+    double const exact = 2 * (1 + 0.4 * excess);
+    D.push_back({exact * (1 + 0.02 * noise()), 0.02 * exact, 100});
+  }
+  return D;
+}
+
+TEST(DiffusionAgainstStep, FindsTheShareWithItsError) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> gauss;
+  constexpr int runs = 500;
+  double squares = 0, mean = 0;
+  int known = 0;
+  for (int k = 0; k < runs; ++k)
+    if (auto const found = diffusion_against_step(excesses, diffusions([&] { return gauss(random); }));
+        found.known()) {
+      squares += std::pow(cg::deviation(found.share, 0.4), 2), mean += found.share.mean;
+      ++known;
+    }
+  EXPECT_GE(known, 495);                 // chance can bend every line
+  EXPECT_NEAR(mean / known, 0.4, 0.005); // 0.019 in one run
+  EXPECT_NEAR(squares / known, 1, 0.25); // by chance 0.06
+}
+
+TEST(DiffusionAgainstStep, LeavesOutStepsThatDoNotFollow) {
+  auto D = diffusions([] { return 0.0; });
+  auto const all = diffusion_against_step(excesses, D);
+  EXPECT_NEAR(all.share.mean, 0.4, 1e-12);
+  EXPECT_NEAR(all.D_0.mean, 2, 1e-12);
+  EXPECT_EQ(all.share.n_eff, 5);
+  D.back().mean *= 0.7; // 15 standard errors
+  auto const less = diffusion_against_step(excesses, D);
+  EXPECT_NEAR(less.share.mean, 0.4, 1e-12);
+  EXPECT_EQ(less.share.n_eff, 4);
+  D[1].se = D[2].se = 0; // not measured: two are left that follow
+  EXPECT_FALSE(diffusion_against_step(excesses, D).known());
+}
+
+TEST(DiffusionAgainstStep, AllowsAtMostWhatAParticleAloneHas) {
+  auto const at_most = [](double share, double se) {
+    return DiffusionAgainstStep{.D_0 = {1, 0.1, 5}, .share = {share, se, 5}}.at_most();
+  };
+  EXPECT_DOUBLE_EQ(at_most(0.4, 0.1), 0.5);
+  EXPECT_DOUBLE_EQ(at_most(-0.4, 0.1), 0.5); // slower by as much is no better
+  EXPECT_DOUBLE_EQ(at_most(0.4, 2), 1);
+  EXPECT_DOUBLE_EQ(at_most(1.4, 0.1), 1.5); // surely more
+  EXPECT_DOUBLE_EQ(DiffusionAgainstStep{}.at_most(), 1);
 }
 
 /// Self-diffusion of particles of an ideal gas, which the structure hardly holds back.

@@ -153,6 +153,22 @@ TEST(Estimate, DeviationsOfShortSeriesAreOneStandardErrorInTheMean) {
   EXPECT_EQ(cases, 2);
 }
 
+// A run that is shorter than its memory has one independent sample, not less, and an error above the spread
+// of what it has seen.
+TEST(Estimate, ShortSeriesHaveOneIndependentSampleAtLeast) {
+  std::mt19937_64 generator(11);
+  int runs = 0, wider = 0;
+  for (int k = 0; k < 400; ++k, ++runs) {
+    auto const x = ar1(16, std::exp(-1 / 200.0), 0.0, generator);
+    EXPECT_GE(estimate_by_autocorrelation(x).n_eff, 1);
+    auto const estimate = estimate_mean(x);
+    EXPECT_GE(estimate.n_eff, 1);
+    wider += estimate.se * estimate.se > sample_variance(x);
+  }
+  EXPECT_EQ(runs, 400);
+  EXPECT_GT(wider, 0);
+}
+
 TEST(Estimate, VarianceOfAr1AndItsError) {
   std::mt19937_64 generator(6);
   int within_two = 0, cases = 0;

@@ -29,8 +29,9 @@ class Noise {
   double value_ = 0;
 };
 
+/// `more`: adds to the errors of the temperatures what their samples do not know.
 std::vector<Finding> findings(Story const& story, unsigned seed,
-                              HealthConditions const& conditions = ordinary) {
+                              HealthConditions const& conditions = ordinary, double more = 0) {
   EquilibriumSampler sampler;
   Noise T_kin(0.025, seed), T_int(0.003, seed + 1000), P(0.05, seed + 2000), rho(0.002, seed + 3000);
   for (std::size_t k = 0; k < story.samples; ++k) {
@@ -43,7 +44,10 @@ std::vector<Finding> findings(Story const& story, unsigned seed,
                                     .pairing = story.pairing + story.rise_pairing * x,
                                     .crystal = story.crystal});
   }
-  return examine(sampler, sampler.result(), conditions);
+  auto means = sampler.result();
+  for (auto* const T : {&means.T_kin, &means.T_int})
+    T->se = std::hypot(T->se, more);
+  return examine(sampler, means, conditions);
 }
 
 std::vector<std::string> names(std::vector<Finding> const& findings) {
@@ -72,6 +76,23 @@ TEST(Health, CallsTheBiasOfATimeStepNoFault) {
         findings({.T_kin = 1.015, .pairing = 0.005, .rise_pairing = 0.002, .crystal = 0.05}, seed).empty())
         << seed;
   EXPECT_EQ(runs, 50);
+}
+
+// The errors are the summary's. What the time step has added to the energy is in them and excuses nothing.
+TEST(Health, QuotesTheErrorsOfTheSummary) {
+  Story const warm{.T_kin = 1.05, .T_int = 1.05};
+  int runs = 0;
+  for (unsigned seed = 1; seed <= 5; ++seed, ++runs) {
+    EXPECT_FALSE(has(findings(warm, seed, ordinary, 0.02), "temperature_of_T_int")) << seed; // set so
+    auto conditions = ordinary;
+    conditions.gained_temperature = 0.02;
+    auto const all = findings(warm, seed, conditions, 0.02);
+    ASSERT_TRUE(has(all, "temperature_of_T_int")) << seed;
+    auto const text = std::ranges::find(all, "temperature_of_T_int", &Finding::name)->text;
+    EXPECT_NE(text.find("(standard error 2"), std::string::npos) << text;
+    EXPECT_NE(text.find("% without the energy that the time step has added)"), std::string::npos) << text;
+  }
+  EXPECT_EQ(runs, 5);
 }
 
 TEST(Health, FindsWhatIsWrongAndNothingElse) {

@@ -1,3 +1,7 @@
+#include "sdpd/method/step_diffusion.hpp"
+#include "sdpd_scene.hpp"
+#include "workflows/sdpd/settings.hpp"
+#include "workflows/study/rounded_dt.hpp"
 #include "workflows/study/trade_off.hpp"
 #include <gtest/gtest.h>
 
@@ -63,6 +67,26 @@ TEST(TradeOff, LimitsTheTimeStepByBiasAndByStability) {
   for (auto& failed : found.configurations[1].trials)
     failed.failure = "it did";
   EXPECT_FALSE(largest_dt(found, 1, {.drift = 1e-3}));
+}
+
+TEST(TradeOff, LimitsTheTimeStepByWhatTrialsShowOfTheDiffusion) {
+  auto found = two_schemes();
+  found.scene = parse_scene(tests::SdpdScene{}.text(), "s.toml");
+  Scene sized = found.scene;
+  sized.particles.K = 10;
+  double const rate = sdpd::velocity_decay_rate(settings_of(sized, 1));
+  auto const unmeasured = largest_dt(found, 0, {.dynamics = 0.05});
+  ASSERT_TRUE(unmeasured); // the bound of a particle alone
+  EXPECT_EQ(unmeasured->dt, rounded_down(sdpd::step_of_diffusion_excess(rate, 0.05)));
+  EXPECT_EQ(unmeasured->because, "the wanted dynamics");
+  for (auto& trial : found.configurations[0].trials) {
+    double const D = 3 * (1 + 0.2 * sdpd::diffusion_excess(rate, trial.dt));
+    trial.D = {D, 1e-6 * D, 100};
+  }
+  auto const measured = largest_dt(found, 0, {.dynamics = 0.05});
+  ASSERT_TRUE(measured);
+  EXPECT_NEAR(sdpd::diffusion_excess(rate, measured->dt), 0.25, 0.05); // 0.05/0.2, rounded down
+  EXPECT_LE(sdpd::diffusion_excess(rate, measured->dt), 0.25);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "workflows/reproduce/structure_study.hpp"
 #include "workflows/sdpd/known_structure.hpp"
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
@@ -18,6 +19,40 @@ TEST(StructureStudy, NamesWhatParticlesAre) {
   EXPECT_EQ(of(0.4, 0, 0.2, 0.3), StructureKind::fluid); // by chance
   EXPECT_EQ(of(0, 0.5, 0.2, 0.01), StructureKind::crystal);
   EXPECT_EQ(name_of(StructureKind::paired), "pairs");
+}
+
+FoundStructure run_of(double crystal, double moved, double se) {
+  return {.failure = {}, .paired = {0, se, 30}, .crystal = {crystal, se, 30}, .moved = {moved, se, 30}};
+}
+
+TEST(StructureStudy, CountsWhatRunsBecame) {
+  StructureCase const of{"wendland-c2", 65, 1e4};
+  FoundStructure const crystal = run_of(0.9, 0, 0.01), glass = run_of(0, 0, 0.01),
+                       stops{.failure = "too hot"};
+  auto const text = [&](std::vector<FoundStructure> const& runs) { return verdict_of(of, runs).text(); };
+  EXPECT_EQ(text({glass, glass, glass}), "glass");
+  EXPECT_EQ(text({glass, crystal, crystal}), "crystal 2 of 3, glass 1 of 3");
+  EXPECT_EQ(text({stops, run_of(0, 1, 0.01)}), "fluid 1 of 2, stops 1 of 2");
+  EXPECT_EQ(text({stops}), "stops");
+  auto const verdict = verdict_of(of, std::vector{glass, crystal, stops});
+  EXPECT_EQ(verdict.count(StructureKind::crystal), 1u);
+  EXPECT_EQ(verdict.count(StructureKind::paired), 0u);
+  EXPECT_EQ(verdict.stopped, 1u);
+}
+
+TEST(StructureStudy, TakesTheLargerErrorOverRuns) {
+  FoundStructure const stops{.failure = "too hot"};
+  // 0.1, 0.2, 0.6: spread (0.07/3)^(1/2) of the mean 0.3
+  std::vector<FoundStructure> const apart{run_of(0.1, 0, 0.01), stops, run_of(0.2, 0, 0.01),
+                                          run_of(0.6, 0, 0.01)};
+  auto const spread = over_runs(apart, &FoundStructure::crystal);
+  ASSERT_TRUE(spread);
+  EXPECT_NEAR(spread->mean, 0.3, 1e-12);
+  EXPECT_NEAR(spread->se, std::sqrt(0.07 / 3), 1e-12);
+  EXPECT_EQ(spread->n_eff, 90);
+  std::vector<FoundStructure> const alike{run_of(0.3, 0, 0.06), run_of(0.3, 0, 0.08)};
+  EXPECT_NEAR(over_runs(alike, &FoundStructure::crystal)->se, 0.05, 1e-12);
+  EXPECT_FALSE(over_runs(std::vector{stops}, &FoundStructure::crystal));
 }
 
 // What the README says of argon, in shorter runs: one fluid, one of pairs, a glass and a crystal.

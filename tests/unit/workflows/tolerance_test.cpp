@@ -36,6 +36,9 @@ TEST(Tolerance, BelongsToAnAutomaticTimeStep) {
   EXPECT_TRUE(scene.scheme.dt.automatic);
   EXPECT_EQ(tolerance_text(scene.scheme), "drift 1e-6/ps");
   EXPECT_EQ(parse_scene(resolved_toml(scene), "r.toml"), scene);
+  auto const three = parse_scene(
+      scene_text("dt = \"auto\"\ndynamics = \"5%\"\nbias = \"1%\"\ndrift = \"1e-6/ps\"\n"), "s.toml");
+  EXPECT_EQ(tolerance_text(three.scheme), "drift 1e-6/ps, bias 1%, dynamics 5%");
   struct Case {
     char const *scheme, *message;
   };
@@ -43,6 +46,9 @@ TEST(Tolerance, BelongsToAnAutomaticTimeStep) {
   for (auto const& [scheme, message] :
        {Case{"dt = \"auto\"\n", "needs a tolerance"}, Case{"dt = 0.1\nbias = \"1%\"\n", "wants dt"},
         Case{"dt = \"auto\"\ndrift = \"1e-6\"\n", "per unit of time"},
+        Case{"dt = \"auto\"\ndynamics = \"5\"\n", "must be a share"},
+        Case{"dt = 0.1\ndynamics = \"5%\"\n", "wants dt"},
+        Case{"dt = \"auto\"\ndynamics = \"5%\"\nconservative = \"none\"\n", "nothing diffuses"},
         Case{"dt = \"Auto\"\n", "scheme.dt"}}) {
     try {
       parse_scene(scene_text(scheme), "s.toml");
@@ -52,13 +58,16 @@ TEST(Tolerance, BelongsToAnAutomaticTimeStep) {
     }
     ++refused;
   }
-  EXPECT_EQ(refused, 4);
+  EXPECT_EQ(refused, 7);
 }
 
 TEST(Tolerance, StaysWithTheTimeStepThatWasChosenForIt) {
   auto const scene = parse_scene(scene_text("dt = \"auto\"\ndrift = \"1e-6/ps\"\n"), "s.toml");
   auto stored = scene;
-  stored.scheme = {.dt = {.value = 0.12}, .dt_chosen_for = "drift 1e-6/ps"};
+  stored.scheme = {.dt = {.value = 0.12},
+                   .dt_chosen_for = "drift 1e-6/ps",
+                   .diffusion_share = 0.3,
+                   .diffusion_share_se = 0.02};
   auto const chosen = with_stored_time_step(scene, stored);
   EXPECT_EQ(chosen, stored);
   EXPECT_EQ(parse_scene(resolved_toml(chosen), "r.toml"), chosen);

@@ -233,6 +233,34 @@ TEST(AutomaticTimeStep, IsFoundStoredAndKeptOnResume) {
   EXPECT_TRUE(unbroken == rows("b"));
 }
 
+TEST(AutomaticTimeStep, KeepsTheDynamicsAsTrialsShow) {
+  ScratchDirectory const scratch;
+  auto scene = tests::ideal_gas_scene("equilibrate = 64\nsteps = 640\n");
+  scene.K = 10, scene.scheme = "dt = \"auto\"\ndynamics = \"5%\"\n";
+  write_text_file(scratch / "s.toml", scene.text());
+  auto const checked = program({"check", (scratch / "s.toml").string(), "--json"});
+  ASSERT_EQ(checked.status, 0) << checked.errors;
+  double const sure = Json::parse(checked.output)["dynamics_dt_reduced_at_least"];
+  auto const result =
+      program({"run", (scratch / "s.toml").string(), "-o", (scratch / "a").string(), "--no-report"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.errors.find("limited by the wanted dynamics; trials show"), std::string::npos)
+      << result.errors;
+  auto const summary = Json::parse(read_text_file(scratch / "a" / "summary.json"));
+  auto const kept = summary["tolerances"]["dynamics"];
+  double const dt = summary["dt_reduced"], bound = summary["diffusion_excess_at_most"];
+  EXPECT_EQ(kept["by"], "trials");
+  EXPECT_TRUE(kept["fulfilled"].get<bool>());
+  EXPECT_GE(dt, sure);
+  EXPECT_LT(dt, 0.3); // where twice the diffusion was seen
+  EXPECT_LT(kept["found"].get<double>(), std::min(bound, 0.05));
+  EXPECT_NE(result.output.find("of the tolerated 5%: fulfilled"), std::string::npos) << result.output;
+  auto const again = program(
+      {"run", (scratch / "a" / "scene.toml").string(), "-o", (scratch / "b").string(), "--no-report"});
+  ASSERT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(Json::parse(read_text_file(scratch / "b" / "summary.json"))["tolerances"], summary["tolerances"]);
+}
+
 TEST(Reproduce, ListsWhatItHas) {
   auto const list = program({"reproduce", "list", "--json"});
   ASSERT_EQ(list.status, 0) << list.errors;

@@ -39,7 +39,7 @@ std::vector<SceneKey> scheme_keys() {
           "their "
           "unit of time, sigma (m/epsilon)^(1/2) (\"0.05 tau\"). `check` prints it in both. \"auto\": found "
           "by a "
-          "short study for the wanted drift or bias")
+          "short study for the wanted drift, bias or dynamics")
           .required()
           .quantity(Dimension::time, positive),
       scheme("drift", &Scene::Scheme::drift,
@@ -54,8 +54,19 @@ std::vector<SceneKey> scheme_keys() {
              "energies (sdpd/README.md, Eq. (S73)); found by trials of the run's beginning"),
       scheme("bias", &Scene::Scheme::bias,
              "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\""),
+      scheme(
+          "dynamics", &Scene::Scheme::dynamics,
+          "with dt = \"auto\": by how much the time step may change self-diffusion, such as \"5%\": long "
+          "steps between two of friction make it too large, at most by (S92) of sdpd/README.md, and trials "
+          "tell how much of that this fluid has (S93); the viscosity changes less"),
       scheme("dt_chosen_for", &Scene::Scheme::dt_chosen_for,
              "written by the program: the tolerance that dt was chosen for"),
+      scheme("diffusion_share", &Scene::Scheme::diffusion_share,
+             "written by the program: how much of the excess (S92) of self-diffusion trials have shown")
+          .in({.min = -1e6, .max = 1e6}),
+      scheme("diffusion_share_se", &Scene::Scheme::diffusion_share_se,
+             "written by the program: its standard error")
+          .in({.min = 0, .max = 1e6}),
       scheme("splitting", &Scene::Scheme::splitting,
              "a conservative step, then fluctuation and dissipation (lie-trotter), or half of the latter on "
              "either side (strang)")
