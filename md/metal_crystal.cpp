@@ -95,18 +95,31 @@ MetalCrystal::MetalCrystal(MpiWorld const& world, MetalPotential const& potentia
     : potential_(potential), lattice_(lattice), block_(lattice, 30),
       lammps_(world, Ranks::own, log_file, log) {
   block_.create(lammps_, potential_, stated_density(potential_));
+  lammps_.command("thermo_style custom step temp pe press pzz"); // what is printed is tallied in the step
   lammps_.command("thermo 1000000");
 }
 
 StaticState MetalCrystal::at(double rho) {
   require(rho > 0 && std::isfinite(rho), "density [kg/m^3]", rho, "must be > 0");
-  Vec3 const edge = block_.edges(rho / potential_.mass) / metal_units::length;
+  return in_box(block_.edges(rho / potential_.mass), rho, "press");
+}
+
+StaticState MetalCrystal::squeezed_along_z(double rho0, double rho) {
+  for (double const density : {rho0, rho})
+    require(density > 0 && std::isfinite(density), "density [kg/m^3]", density, "must be > 0");
+  auto edges = block_.edges(rho0 / potential_.mass);
+  edges.z *= rho0 / rho;
+  return in_box(edges, rho, "pzz");
+}
+
+StaticState MetalCrystal::in_box(Vec3 const& edges, double rho, char const* pressure) {
+  Vec3 const edge = edges / metal_units::length;
   lammps_.command("change_box all x final 0 {} y final 0 {} z final 0 {} remap units box", edge.x, edge.y,
                   edge.z);
   lammps_.command("run 0 post no");
   double const mass = block_.atoms() * potential_.mass;
   return {rho, lammps_.thermo("pe") * metal_units::energy / mass,
-          lammps_.thermo("press") * metal_units::pressure};
+          lammps_.thermo(pressure) * metal_units::pressure};
 }
 
 StaticState MetalCrystal::at_zero_pressure() {

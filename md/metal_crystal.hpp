@@ -59,6 +59,9 @@ class MetalCrystal {
 
   /// Throws InputError for a density that is not > 0 and finite, LammpsError.
   StaticState at(double rho);
+  /// The crystal of the density rho0 that has been squeezed along z alone to the density rho; P is P_zz. Its
+  /// lattice is another: fcc becomes bcc where rho = sqrt(2) rho0 (md/README.md, Eq. (M15)).
+  StaticState squeezed_along_z(double rho0, double rho);
   /// The state of zero pressure nearest to the stated density. Throws PhysicsError when there is none between
   /// half and twice of it.
   StaticState at_zero_pressure();
@@ -67,6 +70,9 @@ class MetalCrystal {
   double bulk_sound_speed(double rho);
 
  private:
+  /// In a box of these edges [m]; `pressure` is LAMMPS's name of the one that is asked for.
+  StaticState in_box(Vec3 const& edges, double rho, char const* pressure);
+
   MetalPotential potential_;
   Lattice lattice_;
   CrystalBlock block_;

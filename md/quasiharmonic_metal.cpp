@@ -25,8 +25,10 @@ double QuasiharmonicMetal::zero_pressure_density(double T) {
   return ground.rho * (1 - grueneisen * thermal_energy(T) / (c * c));
 }
 
-QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(MetalState initial, double rho) {
-  auto const cold0 = crystal_.at(initial.rho), cold = crystal_.at(rho);
+QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(MetalState initial, double rho, Squeeze squeeze) {
+  auto const cold0 = crystal_.at(initial.rho), cold = squeeze == Squeeze::evenly
+                                                          ? crystal_.at(rho)
+                                                          : crystal_.squeezed_along_z(initial.rho, rho);
   double const P0 = cold0.P + grueneisen * initial.rho * thermal_energy(initial.T);
   double const dv = 1 / initial.rho - 1 / rho;
   double const part = 1 - grueneisen * rho * dv / 2;
@@ -37,20 +39,21 @@ QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(MetalState initial, doub
                     "choose a compression nearer to 1",
                     rho, initial.rho, initial.T));
   double const P = cold.P + grueneisen * rho * thermal;
-  return {.T = initial.T * thermal / thermal_energy(initial.T), .v_P = std::sqrt((P - P0) * dv)};
+  return {.T = initial.T * thermal / thermal_energy(initial.T), .v_P = std::sqrt((P - P0) * dv), .P = P};
 }
 
-double QuasiharmonicMetal::compression(MetalState initial, double v_P) {
+double QuasiharmonicMetal::compression(MetalState initial, double v_P, Squeeze squeeze) {
   constexpr double weakest = 1.001, strongest = 1.7;
-  require(v_P > shocked(initial, weakest * initial.rho).v_P &&
-              v_P < shocked(initial, strongest * initial.rho).v_P,
-          "v_P [m/s]", v_P,
-          fmt::format("must be {:.0f} ... {:.0f}", shocked(initial, weakest * initial.rho).v_P,
-                      shocked(initial, strongest * initial.rho).v_P));
+  auto const v_P_at = [&](double compression) {
+    return shocked(initial, compression * initial.rho, squeeze).v_P;
+  };
+  double const slowest = v_P_at(weakest), fastest = v_P_at(strongest);
+  require(v_P > slowest && v_P < fastest, "v_P [m/s]", v_P,
+          fmt::format("must be {:.0f} ... {:.0f}", slowest, fastest));
   double low = weakest, high = strongest;
   while (high - low > 1e-6) {
     double const middle = (low + high) / 2;
-    (shocked(initial, middle * initial.rho).v_P < v_P ? low : high) = middle;
+    (v_P_at(middle) < v_P ? low : high) = middle;
   }
   return (low + high) / 2;
 }

@@ -1,4 +1,5 @@
 #include "sdpd/reaction/rates.hpp"
+#include "sdpd/neighbours/pair_values.hpp"
 #include "sdpd/system/pair_loop.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
 
@@ -127,10 +128,8 @@ struct SecondOrderRates {
  private:
   [[gnu::always_inline]] static ForwardRates given(PairLanes const& at, std::vector<double> const& by,
                                                    Lanes const& K) {
-    Lanes of_i, of_j;
-    for (std::size_t l = 0; l < lane_count; ++l)
-      of_i[l] = by[at.pair[l].i], of_j[l] = by[at.pair[l].j];
-    return {K * of_j, K * of_i};
+    auto const of = values_of(by.data(), at.pair);
+    return {K * of.j, K * of.i};
   }
 };
 

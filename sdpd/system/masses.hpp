@@ -1,5 +1,6 @@
 #pragma once
 #include "sdpd/neighbours/block_copy.hpp"
+#include "sdpd/neighbours/pair_values.hpp"
 #include "sdpd/system/system.hpp"
 
 namespace mesobridge::sdpd {
@@ -21,6 +22,7 @@ class OwnMasses {
         members, [&](std::size_t local, Index i, Vec3 const&) { mass_[local] = system.particles.mass[i]; });
   }
   double operator[](std::size_t local) const { return mass_[local]; }
+  double const* data() const { return mass_.data(); }
 
  private:
   std::vector<double> mass_;
@@ -37,11 +39,9 @@ struct PairMasses {
 };
 
 /// Of eight pairs of a block.
-inline PairMasses<Lanes> masses_of(OwnMasses const& masses, LocalPair const* pair) {
-  PairMasses<Lanes> of{};
-  for (std::size_t l = 0; l < lane_count; ++l)
-    of.i[l] = masses[pair[l].i], of.j[l] = masses[pair[l].j];
-  return of;
+[[gnu::always_inline]] inline PairMasses<Lanes> masses_of(OwnMasses const& masses, LocalPair const* pair) {
+  auto const [i, j] = values_of(masses.data(), pair);
+  return {i, j};
 }
 
 /// Calls f with the weights of neighbours in the sums of densities.

@@ -6,6 +6,7 @@
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/bench/paired_times.hpp"
+#include <algorithm>
 
 namespace mesobridge::workflows {
 namespace {
@@ -27,15 +28,28 @@ class TimedBox {
 
   double renewals_per_step() const { return renewals_per_step_; } ///< of the lists, when last timed
 
-  /// Microseconds per particle and step, from the particles of the checkpoint on.
-  double time(sdpd::Checkpoint const& start, int steps) {
+  /// Microseconds per particle and step, of all steps and of those that renew no lists (0 where all do).
+  struct Cost {
+    double of_all, of_plain;
+  };
+  /// From the particles of the checkpoint on.
+  Cost time(sdpd::Checkpoint const& start, int steps) {
     begin(start);
     auto const renewed = system_->renewals;
-    md::ProcessorClock const clock; // in which other programs on the machine count for less
-    for (int k = 0; k < steps; ++k)
+    double all = 0, plain = 0;
+    int plain_steps = 0;
+    for (int k = 0; k < steps; ++k) {
+      auto const before = system_->renewals;
+      md::ProcessorClock const clock; // in which other programs on the machine count for less
       sdpd::step(*system_, sub_steps_);
+      double const seconds = clock.seconds();
+      all += seconds;
+      if (system_->renewals == before)
+        plain += seconds, ++plain_steps;
+    }
     renewals_per_step_ = static_cast<double>(system_->renewals - renewed) / steps;
-    return clock.seconds() * 1e6 / (static_cast<double>(system_->size()) * steps);
+    double const scale = 1e6 / static_cast<double>(system_->size());
+    return {scale * all / steps, scale * plain / std::max(plain_steps, 1)};
   }
 
  private:
@@ -92,16 +106,21 @@ std::vector<TimedBox> boxes_of(sdpd::SimulationSettings const& periodic) {
 Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& timing) {
   auto const start = settled(periodic);
   auto boxes = boxes_of(periodic);
-  std::vector<PairedTimes> times(boxes.size());
+  std::vector<PairedTimes> times(boxes.size()), plain(boxes.size());
   for (int repeat = 0; repeat < timing.repeats; ++repeat)
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      times[k].cost.push_back(boxes[k].time(start, timing.steps));
-      times[k].ratio.push_back(times[k].cost.back() / times[0].cost.back());
+      auto const cost = boxes[k].time(start, timing.steps);
+      times[k].cost.push_back(cost.of_all);
+      times[k].ratio.push_back(cost.of_all / times[0].cost.back());
+      plain[k].cost.push_back(cost.of_plain);
+      plain[k].ratio.push_back(plain[0].cost.back() > 0 ? cost.of_plain / plain[0].cost.back() : 0);
     }
   Json rows = Json::array();
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Json row{{"box", boxes[k].name()}};
     put_times(row, times[k]);
+    if (std::ranges::all_of(plain[k].ratio, [](double ratio) { return ratio > 0; }))
+      put_times(row["without_renewals"], plain[k]);
     row["neighbours"] = boxes[k].neighbours();
     row["list_renewals_per_step"] = boxes[k].renewals_per_step();
     rows.push_back(std::move(row));
@@ -110,10 +129,15 @@ Json time_faces(sdpd::SimulationSettings const& periodic, FacesTiming const& tim
 }
 
 std::string faces_text(Json const& rows) {
-  auto text = fmt::format("{} {:>14}\n", times_head("box", "times the periodic one"), "renewals/step");
-  for (auto const& row : rows)
-    text +=
-        fmt::format("{} {:>14.3f}\n", times_line(row, "box"), row["list_renewals_per_step"].get<double>());
+  auto text = fmt::format("{} {:>14} {:>24}\n", times_head("box", "times the periodic one"), "renewals/step",
+                          "without renewals");
+  for (auto const& row : rows) {
+    text += fmt::format("{} {:>14.3f}", times_line(row, "box"), row["list_renewals_per_step"].get<double>());
+    if (row.contains("without_renewals"))
+      text += fmt::format(" {:>14.3f} +- {:.3f}", row["without_renewals"]["ratio"].get<double>(),
+                          row["without_renewals"]["ratio_se"].get<double>());
+    text += '\n';
+  }
   return text;
 }
 

@@ -240,11 +240,9 @@ Result piston_shock(MdPistonShockOptions const& options, Context const& context)
   auto report =
       report_of(options, ahead, data, shock, exact, {context.command_line(), seed, "", {job.file()}});
   auto text = text_of(data, shock, exact);
-  if (reference && shock) {
-    summary["hugoniot"] = reference_json(*reference, *shock);
-    report.sections.push_back(reference_section(*reference, *shock));
-    text += reference_text(*reference, *shock);
-  }
+  if (reference && shock)
+    text +=
+        put_references(*reference, std::get<md::MetalPistonSettings>(job.settings), *shock, summary, report);
   auto result = with_report(job.directory, std::move(summary), report.html());
   result.text = text + result.text;
   return result;

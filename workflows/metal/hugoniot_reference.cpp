@@ -1,5 +1,6 @@
 #include "workflows/metal/hugoniot_reference.hpp"
 #include "md/error.hpp"
+#include "md/quasiharmonic_metal.hpp"
 #include "workflows/csv_table.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/summary.hpp"
@@ -98,22 +99,89 @@ Json reference_json(HugoniotReference const& reference, ShockOfRun const& shock)
   return json;
 }
 
-Section reference_section(HugoniotReference const& reference, ShockOfRun const& shock) {
-  Table table{.header = {"behind the front", "piston", "equilibrium", "difference [se]"},
-              .caption = "Equilibrium: states of even compression that fulfil the relations of Rankine and "
-                         "Hugoniot (md hugoniot), linear between two of them. A crystal that a piston shocks "
-                         "along one axis keeps some shear stress."};
-  for (auto const& q : quantities(reference, shock))
-    table.rows.push_back({fmt::format("{} [{}]", q.name, q.unit), text(q.piston, q.factor),
-                          text(q.reference, q.factor), fmt::format("{:+.1f}", q.deviation())});
-  return {"Beside states of equilibrium", {std::move(table)}};
+HugoniotReference squeezed_along_z(HugoniotReference reference, md::MetalPistonSettings const& settings) {
+  md::QuasiharmonicMetal metal(
+      md::MpiWorld(),
+      {.potential = settings.potential, .lattice = settings.lattice, .log_file = settings.log_file});
+  auto const shift = [&](md::Squeeze squeeze, double sign) {
+    double const compression = metal.compression(settings.ahead, settings.v_P, squeeze),
+                 rho = compression * settings.ahead.rho;
+    auto const shocked = metal.shocked(settings.ahead, rho, squeeze);
+    reference.v_S.mean += sign * settings.v_P * compression / (compression - 1);
+    reference.rho.mean += sign * rho, reference.P.mean += sign * shocked.P;
+    reference.T.mean += sign * shocked.T;
+  };
+  shift(md::Squeeze::along_z, 1), shift(md::Squeeze::evenly, -1);
+  return reference;
 }
 
-std::string reference_text(HugoniotReference const& reference, ShockOfRun const& shock) {
+namespace {
+
+/// All beside each other, with the differences from the piston's in standard errors.
+Section reference_section(HugoniotReference const& reference,
+                          std::optional<HugoniotReference> const& squeezed, ShockOfRun const& shock) {
+  Table table{.header = {"behind the front", "piston", "squeezed evenly", "difference [se]"},
+              .caption = "Squeezed evenly: states of equilibrium that fulfil the relations of Rankine and "
+                         "Hugoniot (md hugoniot), linear between two of them."};
+  if (squeezed) {
+    table.header.insert(table.header.end(), {"squeezed along z", "difference [se]"});
+    table.caption +=
+        " Squeezed along z: the same for a crystal without any plastic flow, whose lattice is "
+        "another then (fcc comes near to bcc), by the difference of static crystals (md/README.md, "
+        "Eq. (M15)); the errors are those of the former. What a piston leaves lies at one of "
+        "them, or between.";
+  }
+  auto const even = quantities(reference, shock);
+  for (std::size_t k = 0; k < even.size(); ++k) {
+    auto const& q = even[k];
+    table.rows.push_back({fmt::format("{} [{}]", q.name, q.unit), text(q.piston, q.factor),
+                          text(q.reference, q.factor), fmt::format("{:+.1f}", q.deviation())});
+    if (squeezed) {
+      auto const along = quantities(*squeezed, shock)[k];
+      table.rows.back().push_back(text(along.reference, q.factor));
+      table.rows.back().push_back(fmt::format("{:+.1f}", along.deviation()));
+    }
+  }
+  return {"Beside crystals of the same shock", {std::move(table)}};
+}
+
+/// Lines that begin with the name.
+std::string reference_text(std::string const& name, HugoniotReference const& reference,
+                           ShockOfRun const& shock) {
   std::string lines;
   for (auto const& q : quantities(reference, shock))
-    lines += fmt::format("equilibrium {:4} {} {} ({:+.1f} se)\n", q.name, text(q.reference, q.factor), q.unit,
+    lines += fmt::format("{} {:4} {} {} ({:+.1f} se)\n", name, q.name, text(q.reference, q.factor), q.unit,
                          q.deviation());
+  return lines;
+}
+
+/// Nothing where there is no such shock; `why` says so then.
+std::optional<HugoniotReference> estimate_along_z(HugoniotReference const& reference,
+                                                  md::MetalPistonSettings const& settings, std::string& why) {
+  try {
+    return squeezed_along_z(reference, settings);
+  } catch (InputError const& error) {
+    why = error.what();
+  } catch (PhysicsError const& error) {
+    why = error.what();
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::string put_references(HugoniotReference const& reference, md::MetalPistonSettings const& settings,
+                           ShockOfRun const& shock, Json& summary, Report& report) {
+  summary["hugoniot"] = reference_json(reference, shock);
+  auto lines = reference_text("squeezed evenly ", reference, shock);
+  std::string why;
+  auto const squeezed = estimate_along_z(reference, settings, why);
+  if (squeezed) {
+    summary["hugoniot_along_z"] = reference_json(*squeezed, shock);
+    lines += reference_text("squeezed along z", *squeezed, shock);
+  } else
+    report.warnings.push_back(fmt::format("There is no estimate of a crystal squeezed along z: {}.", why));
+  report.sections.push_back(reference_section(reference, squeezed, shock));
   return lines;
 }
 

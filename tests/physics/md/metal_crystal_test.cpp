@@ -49,6 +49,36 @@ TEST_F(MetalCrystalTest, BulkModulusOfCopperIsThePublishedOne) {
   EXPECT_NEAR(rho * c * c / 1e9, 138.3, 0.5); // Mishin et al. (2001), Table II
 }
 
+/// By Bain's way: face-centred cells squeezed to c/a = sqrt(1/2) are body-centred ones, turned by 45 degrees.
+TEST_F(MetalCrystalTest, SqueezedAlongZByTheRootOfTwoFccIsBcc) {
+  auto const potential = read_metal_potential("Cu_u3.eam", "");
+  auto fcc = crystal(potential);
+  MetalCrystal bcc(world_, potential, Lattice::bcc, tests::temporary_log("crystal-bcc"));
+  double const rho0 = fcc.at_zero_pressure().rho, rho = std::sqrt(2.0) * rho0;
+  auto const squeezed = fcc.squeezed_along_z(rho0, rho), expected = bcc.at(rho);
+  EXPECT_NEAR(squeezed.e / expected.e, 1, 1e-9);
+  EXPECT_NEAR(squeezed.P / expected.P, 1, 1e-6);
+  EXPECT_GT(squeezed.e, fcc.at(rho).e);
+  EXPECT_NEAR(fcc.squeezed_along_z(rho0, rho0).e / fcc.at(rho0).e, 1, 1e-12);
+  EXPECT_THROW(fcc.squeezed_along_z(rho0, -1), InputError);
+}
+
+/// P_zz = rho^2 de/drho at a fixed area.
+TEST_F(MetalCrystalTest, ThePressureAlongZIsTheSlopeOfTheEnergyOfSqueezedCrystals) {
+  auto const potential = read_metal_potential("Fe_mm.eam.fs", "");
+  auto iron = crystal(potential);
+  double const rho0 = iron.at_zero_pressure().rho, step = 1e-4;
+  for (double const compression : {1.03, 1.1, 1.2}) {
+    double const rho = compression * rho0;
+    double const slope =
+        (iron.squeezed_along_z(rho0, rho * (1 + step)).e - iron.squeezed_along_z(rho0, rho * (1 - step)).e) /
+        (2 * step * rho);
+    double const P = iron.squeezed_along_z(rho0, rho).P;
+    EXPECT_NEAR(rho * rho * slope / P, 1, 1e-4) << compression;
+    EXPECT_GT(std::abs(P / iron.at(rho).P - 1), 0.01) << compression; // some of it is shear stress
+  }
+}
+
 TEST_F(MetalCrystalTest, ThePressureIsTheSlopeOfTheEnergy) {
   int cases = 0;
   for (char const* file : {"Cu_mishin1.eam.alloy", "Fe_mm.eam.fs", "Mg_mm.eam.fs"}) {

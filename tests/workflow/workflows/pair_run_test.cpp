@@ -82,7 +82,7 @@ TEST(BenchEngine, TimesDpdAndDpde) {
 
 TEST(BenchEngine, TimesWallsOpenFacesAndVacuumBesideThePeriodicBox) {
   auto const result = tests::program({"bench", "engine", "--faces", "--side", "8", "--along", "16", "--steps",
-                                      "2", "--repeats", "3", "--threads", "1", "--json"});
+                                      "4", "--repeats", "3", "--threads", "1", "--json"});
   ASSERT_EQ(result.status, 0) << result.errors;
   auto const rows = Json::parse(result.output)["faces"];
   ASSERT_EQ(rows.size(), 4u);
@@ -91,6 +91,8 @@ TEST(BenchEngine, TimesWallsOpenFacesAndVacuumBesideThePeriodicBox) {
   for (auto const& row : rows) {
     EXPECT_GT(row["us_per_particle_step"].get<double>(), 0) << row;
     EXPECT_GT(row["ratio"].get<double>(), 0.1) << row;
+    ASSERT_LT(row["list_renewals_per_step"].get<double>(), 1) << row;
+    EXPECT_GT(row["without_renewals"]["ratio"].get<double>(), 0.1) << row;
     ++timed;
   }
   EXPECT_EQ(timed, 4);
