@@ -181,17 +181,18 @@ Plot way_of_the_front(ShockOfRun const& shock, OutputUnits const& units) {
 Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
   bool const si = !units.length_key.empty();
   Table table{
-      .header = comparison_header(),
-      .caption =
-          "The front and the state behind it, from blocks of frames, beside the relations of Rankine "
-          "and Hugoniot with the same equation of state. The front that all else refers to is where the "
-          "velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); Gibbs's "
-          "surface, from the densities before the piston (Eq. (S58)), is beside it."};
+      .header = shock.exact ? comparison_header() : std::vector<std::string>{"Quantity", "Ours"},
+      .caption = fmt::format(
+          "The front and the state behind it, from blocks of frames{}. The front that all else refers to is "
+          "where the velocity last falls through v_P/2, coming from ahead (sdpd/README.md, Eq. (S43)); "
+          "Gibbs's surface, from the densities before the piston (Eq. (S58)), is beside it.",
+          shock.exact ? ", beside the relations of Rankine and Hugoniot with the same equation of state"
+                      : "")};
   auto const add = [&](std::string const& name, std::string const& unit, cg::Estimate const& ours,
                        auto exact) {
     auto const quantity = si ? name + " [" + unit + "]" : name;
     table.rows.push_back(shock.exact ? comparison_row(quantity, ours, exact(*shock.exact))
-                                     : std::vector<std::string>{quantity, with_error_text(ours), "", "", ""});
+                                     : std::vector<std::string>{quantity, with_error_text(ours)});
   };
   add("velocity of the shock", "m/s", shock.measured.v_S, [](auto const& of) { return of.v_S; });
   add("the same by Gibbs's surface", "m/s", shock.measured.v_S_gibbs, [](auto const& of) { return of.v_S; });
@@ -208,8 +209,9 @@ Section shock_section(ShockOfRun const& shock, OutputUnits const& units) {
   };
   Figure figure{
       {},
-      "Means over the frames with their standard errors; lines: the states ahead and behind by Rankine "
-      "and Hugoniot. The first 15 mean distances between particles at the piston are left out."};
+      fmt::format("Means over the frames with their standard errors{}. The first 15 mean distances between "
+                  "particles at the piston are left out.",
+                  shock.exact ? "; lines: the states ahead and behind by Rankine and Hugoniot" : "")};
   figure.svgs.push_back(draw_svg(way_of_the_front(shock, units)));
   figure.svgs.push_back(draw_svg(
       in_the_frame("rho", units.density_key, shock, shock.rho, units, levels(&fitting::EosState::rho))));
