@@ -64,7 +64,7 @@ Result reproduce(ReproduceCommandOptions const& options, Context const& context)
 
 void declare(CLI::App& app, ReproduceCommandOptions& options) {
   app.add_option("name", options.name, "list, or a name of that list")->required();
-  add_preset(app, options.preset, "how long to work: a minute or two, an hour, a day");
+  add_preset(app, options.preset, "how long to work: minutes, an hour, a day");
   app.add_option("--fit", options.fit,
                  "Of table-5.2: a file of `fit lj-bwr` (lj-bwr.toml of `workflow lj-to-sdpd`), one more "
                  "equation of state beside the published ones")
