@@ -16,7 +16,10 @@ struct Lags {
 };
 
 double half_edge(BlobSeries const& series) {
-  return 0.5 * series.boxes.front().narrowest();
+  double narrowest = series.boxes.front().narrowest();
+  for (auto const& box : series.boxes)
+    narrowest = std::min(narrowest, box.narrowest());
+  return narrowest / 2;
 }
 
 void check(BlobSeries const& series, ExchangeSettings const& settings) {

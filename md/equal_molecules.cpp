@@ -203,41 +203,72 @@ double mean_width(Molecules const& molecules) {
 
 void write_data_file(std::filesystem::path const& file, MoleculeKind const& kind, std::span<Vec3 const> q,
                      Box const& box) {
-  auto const n = std::size_t(kind.atoms()), count = q.size() / n;
-  auto out = fmt::output_file(file.string());
-  out.print("molecules\n\n{} atoms\n{} atom types\n", q.size(), kind.masses_of_types.size());
-  for (std::size_t k = 0; k < 4; ++k)
-    if (kind.bonded_types[k] > 0)
-      out.print("{0} {1}s\n{2} {1} types\n", count * kind.bonded[k].size(), bonded_names[k],
-                kind.bonded_types[k]);
+  write_data_file(file, {{&kind, q.size() / std::size_t(kind.atoms())}}, q, box);
+}
+
+namespace {
+
+void write_head(fmt::ostream& out, std::vector<CountedKind> const& parts, std::size_t atoms, Box const& box) {
+  auto const& first = *parts[0].kind;
+  out.print("molecules\n\n{} atoms\n{} atom types\n", atoms, first.masses_of_types.size());
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::size_t terms = 0;
+    for (auto const& [kind, count] : parts)
+      terms += count * kind->bonded[k].size();
+    if (first.bonded_types[k] > 0)
+      out.print("{0} {1}s\n{2} {1} types\n", terms, bonded_names[k], first.bonded_types[k]);
+  }
   out.print("0 {} xlo xhi\n0 {} ylo yhi\n0 {} zlo zhi\n", box.edge.x, box.edge.y, box.edge.z);
   if (box.tilted())
     out.print("{} {} {} xy xz yz\n", box.xy, box.xz, box.yz);
   out.print("\nMasses\n\n");
-  for (std::size_t type = 0; type < kind.masses_of_types.size(); ++type)
-    out.print("{} {}\n", type + 1, kind.masses_of_types[type]);
-  out.print("\nAtoms # {}\n\n", kind.atom_style);
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    out.print("{} {} {}", i + 1, i / n + 1, kind.types[i % n]);
-    if (kind.atom_style == "full")
-      out.print(" {}", kind.charges[i % n]);
-    Vec3 const inside = box.wrap(q[i]);
-    out.print(" {} {} {}\n", inside.x, inside.y, inside.z);
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (kind.bonded[k].empty())
-      continue;
-    std::string const name = bonded_names[k];
-    out.print("\n{}{}s\n\n", char(name[0] - 'a' + 'A'), name.substr(1));
-    std::size_t id = 0;
-    for (std::size_t m = 0; m < count; ++m)
-      for (auto const& term : kind.bonded[k]) {
+  for (std::size_t type = 0; type < first.masses_of_types.size(); ++type)
+    out.print("{} {}\n", type + 1, first.masses_of_types[type]);
+}
+
+void write_atoms(fmt::ostream& out, std::vector<CountedKind> const& parts, std::span<Vec3 const> q,
+                 Box const& box) {
+  out.print("\nAtoms # {}\n\n", parts[0].kind->atom_style);
+  std::size_t at = 0, molecule = 0;
+  for (auto const& [kind, count] : parts)
+    for (std::size_t m = 0; m < count; ++m) {
+      ++molecule;
+      for (std::size_t i = 0; i < kind->types.size(); ++i, ++at) {
+        out.print("{} {} {}", at + 1, molecule, kind->types[i]);
+        if (kind->atom_style == "full")
+          out.print(" {}", kind->charges[i]);
+        Vec3 const inside = box.wrap(q[at]);
+        out.print(" {} {} {}\n", inside.x, inside.y, inside.z);
+      }
+    }
+}
+
+/// Those of one of the four kinds of bonded terms.
+void write_terms(fmt::ostream& out, std::vector<CountedKind> const& parts, std::size_t k) {
+  if (std::ranges::all_of(parts, [&](auto const& part) { return part.kind->bonded[k].empty(); }))
+    return;
+  std::string const name = bonded_names[k];
+  out.print("\n{}{}s\n\n", char(name[0] - 'a' + 'A'), name.substr(1));
+  std::size_t id = 0, first = 0;
+  for (auto const& [kind, count] : parts)
+    for (std::size_t m = 0; m < count; ++m, first += kind->types.size())
+      for (auto const& term : kind->bonded[k]) {
         out.print("{} {}", ++id, term.type);
         for (std::size_t a = 0; a < bonded_atoms[k]; ++a)
-          out.print(" {}", m * n + std::size_t(term.atoms[a]) + 1);
+          out.print(" {}", first + std::size_t(term.atoms[a]) + 1);
         out.print("\n");
       }
-  }
+}
+
+} // namespace
+
+void write_data_file(std::filesystem::path const& file, std::vector<CountedKind> const& parts,
+                     std::span<Vec3 const> q, Box const& box) {
+  auto out = fmt::output_file(file.string());
+  write_head(out, parts, q.size(), box);
+  write_atoms(out, parts, q, box);
+  for (std::size_t k = 0; k < 4; ++k)
+    write_terms(out, parts, k);
 }
 
 } // namespace mesobridge::md

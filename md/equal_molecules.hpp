@@ -47,4 +47,14 @@ double mean_width(Molecules const& molecules);
 void write_data_file(std::filesystem::path const& file, MoleculeKind const& kind, std::span<Vec3 const> q,
                      Box const& box);
 
+/// So many molecules of a kind.
+struct CountedKind {
+  MoleculeKind const* kind = nullptr;
+  std::size_t count = 0;
+};
+
+/// The same of several kinds of one data file, one after the other; ids are places in `q`, from 1.
+void write_data_file(std::filesystem::path const& file, std::vector<CountedKind> const& parts,
+                     std::span<Vec3 const> q, Box const& box);
+
 } // namespace mesobridge::md

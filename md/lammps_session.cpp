@@ -61,15 +61,16 @@ struct LammpsSession::Handle {
   void* lammps = nullptr;
   std::set<std::string> known_keywords;
   bool spent = false;
-  Ranks ranks = Ranks::own;
   std::function<void(ForcedAtoms const&)> add_forces; ///< LAMMPS calls it by way of this handle
 
   Handle() = default;
   Handle(Handle const&) = delete;
   Handle& operator=(Handle const&) = delete;
   ~Handle() {
-    // A spent session of several ranks cannot be closed: the ranks need not stand at the same place.
-    if (lammps && !(spent && ranks == Ranks::all))
+    // A spent session cannot be closed: it was left in the middle of what it did, with memory that it would
+    // free twice, and of several ranks each may stand at another place. Its memory stays until the program
+    // ends.
+    if (lammps && !spent)
       lammps_close(lammps);
   }
 };
@@ -88,7 +89,6 @@ auto LammpsSession::guarded(std::string const& doing, Call&& call) {
 
 LammpsSession::LammpsSession(MpiWorld const&, Ranks ranks, std::filesystem::path const& log_file, Log log)
     : handle_(std::make_unique<Handle>()) {
-  handle_->ranks = ranks;
   guarded("start", [&](void*) { handle_->lammps = open_lammps(ranks); });
   command_with_file("log", log_file, log == Log::append ? "append" : "");
 }

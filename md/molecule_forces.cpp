@@ -141,27 +141,20 @@ void FrameEnergies::start(std::span<Vec3 const> q, Box const& box) {
   system_.prepare(*lammps_);
   lammps_->command("atom_modify sort 0 0.0"); // sums in the same order, however often it was asked
   lammps_->command("box tilt large");
-  if (inside) {
-    write_data_file(data, system_.molecules.kind, q, box);
-    for (std::size_t i = 0; i < q.size(); ++i)
-      place_[std::int64_t(i + 1)] = i;
-  } else {
-    auto const count = [&](Molecules const& of) {
-      for (auto const id : of.ids)
-        place_.try_emplace(id, place_.size());
-    };
-    count(system_.molecules);
+  std::vector<CountedKind> parts{
+      {&system_.molecules.kind, q.size() / std::size_t(system_.molecules.kind.atoms())}};
+  if (!inside) {
+    parts[0].count = std::size_t(system_.molecules.count);
     for (auto const& other : system_.others)
-      count(other);
+      parts.push_back({&other.kind, std::size_t(other.count)});
   }
-  lammps_->command_with_file("read_data", inside ? std::filesystem::path(data) : system_.data);
+  write_data_file(data, parts, q, box);
+  lammps_->command_with_file("read_data", data);
   system_.set_forces(*lammps_);
   if (inside)
     lammps_->command("neigh_modify exclude molecule/inter all");
   lammps_->command("neighbor 0 bin"); // each frame makes its lists anew, of pairs within the cut-off
-  box_ = inside ? box : system_.molecules.box;
-  if (!inside)
-    take_box(box);
+  box_ = box;
   lammps_->command("run 0 post no");
   lammps_->command("log none");
   reach_ = list_distance(log);
@@ -184,7 +177,7 @@ AtomEnergies FrameEnergies::of(std::span<Vec3 const> q, Box const& box) {
       start(q, box);
     if (!box.is_that(box_))
       take_box(box);
-    lammps_->set_positions([&](std::int64_t id) { return box.wrap(q[place_.at(id)]); });
+    lammps_->set_positions([&](std::int64_t id) { return box.wrap(q[std::size_t(id - 1)]); });
     lammps_->command("run 0 post no");
   } catch (LammpsError const& error) {
     throw InputError(fmt::format("'{}': the energies of the molecules cannot be told: {}",
@@ -193,7 +186,7 @@ AtomEnergies FrameEnergies::of(std::span<Vec3 const> q, Box const& box) {
   auto const atoms = lammps_->owned_atoms(atom_energy_compute);
   AtomEnergies told{std::vector<double>(q.size()), std::vector<Vec3>(q.size()), reach_};
   for (std::size_t i = 0; i < atoms.ids.size(); ++i) {
-    auto const at = place_.at(atoms.ids[i]);
+    auto const at = std::size_t(atoms.ids[i] - 1);
     told.potential[at] = atoms.potential[i], told.f[at] = atoms.f[i];
   }
   return told;

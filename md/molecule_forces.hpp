@@ -2,7 +2,6 @@
 #include "md/equal_molecules.hpp"
 #include "md/force_field.hpp"
 #include "md/molecule_atoms.hpp"
-#include <map>
 #include <optional>
 
 namespace mesobridge::md {
@@ -65,7 +64,6 @@ class FrameEnergies {
   Of what_;
   std::filesystem::path folder_;
   std::optional<LammpsSession> lammps_;
-  std::map<std::int64_t, std::size_t> place_; ///< of each atom's id in LAMMPS
   Box box_;
   double reach_ = 0;
 };

@@ -39,6 +39,11 @@ QuasiharmonicMetal::Shocked QuasiharmonicMetal::shocked(MetalState initial, doub
                     "choose a compression nearer to 1",
                     rho, initial.rho, initial.T));
   double const P = cold.P + grueneisen * rho * thermal;
+  if (!(P > P0))
+    throw PhysicsError(
+        fmt::format("the estimate of a shock from {:.1f} to {:.1f} kg/m^3 has a pressure of {:.4g} Pa, "
+                    "which is not above that ahead, {:.4g} Pa",
+                    initial.rho, rho, P, P0));
   return {.T = initial.T * thermal / thermal_energy(initial.T), .v_P = std::sqrt((P - P0) * dv), .P = P};
 }
 

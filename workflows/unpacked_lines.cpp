@@ -52,17 +52,16 @@ bool UnpackedLines::next(std::string& line) {
   try {
     return std::getline(in_, line) && !in_.eof();
   } catch (io::gzip_error const& error) {
-    if (error.error() == io::gzip::zlib_error && error.zlib_error_code() == io::zlib::buf_error)
-      return false; // the bytes end before their time
+    cut_ = error.error() == io::gzip::bad_footer || error.error() == io::gzip::bad_header ||
+           (error.error() == io::gzip::zlib_error && error.zlib_error_code() == io::zlib::buf_error);
   } catch (io::bzip2_error const& error) {
-    if (error.error() == io::bzip2::unexpected_eof)
-      return false;
+    cut_ = error.error() == io::bzip2::unexpected_eof;
   } catch (io::lzma_error const& error) {
-    if (error.error() == io::lzma::buf_error)
-      return false;
-  } catch (io::zstd_error const&) {
+    cut_ = error.error() == io::lzma::buf_error;
   } catch (std::ios_base::failure const&) {
   }
+  if (cut_)
+    return false; // the bytes end before their time
   throw InputError(fmt::format("'{}': its packed bytes are damaged", file_.string()));
 }
 

@@ -14,15 +14,19 @@ class UnpackedLines {
 
   /// Puts the next line there, without its end; false where the file ends, and for a last line without an
   /// end: it was cut off, as is a packed file that was not closed. Throws InputError where packed bytes are
-  /// damaged.
+  /// seen to be damaged.
   bool next(std::string& line);
+
+  /// Whether a packed file ended without its own end, and so without a check of what was read. Zstandard does
+  /// not tell.
+  bool cut() const { return cut_; }
 
   bool packed() const { return packed_; }
 
  private:
   std::filesystem::path file_;
   boost::iostreams::filtering_istream in_;
-  bool packed_ = false;
+  bool packed_ = false, cut_ = false;
 };
 
 } // namespace mesobridge::workflows

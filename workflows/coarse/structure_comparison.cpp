@@ -15,6 +15,8 @@ RadialEstimate radial_estimate(cg::BlobSeries const& series, double width) {
   require(series.frames() >= blocks_of_frames, "frames", series.frames(),
           "at least 16 are needed for standard errors");
   auto const& box = series.boxes.front();
+  for (auto const& other : series.boxes)
+    require(other.is_that(box), "box", norm(other.edge), "must be the same in all frames");
   double const reach = 0.5 * box.narrowest();
   require(width > 0 && width < reach / 8, "bin width", width,
           fmt::format("must be above 0 and below {:g}", reach / 8));

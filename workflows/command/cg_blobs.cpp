@@ -62,8 +62,9 @@ cg::BlobFrame blobs_of(FoundBlobs found, cg::MoleculeModel const& model, Traject
     auto& blob = result.blobs[m];
     unfold(blob, model, std::span(frame.q).subspan(m * n, n), frame.periodic);
     if (!frame.f.empty()) {
-      Vec3 const said = sum_of(std::span(frame.f).subspan(m * n, n));
-      check.add(said, blob.F);
+      auto const of_atoms = std::span(frame.f).subspan(m * n, n);
+      Vec3 const said = sum_of(of_atoms);
+      check.add(said, blob.F, of_atoms);
       blob.F = said;
     }
   }

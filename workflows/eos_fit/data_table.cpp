@@ -3,6 +3,7 @@
 #include "workflows/csv_table.hpp"
 #include "workflows/store/store.hpp"
 #include <cmath>
+#include <limits>
 
 namespace mesobridge::workflows {
 namespace {
@@ -69,10 +70,18 @@ void add_values(DataTable& table, std::string const& name, std::vector<double> c
   }
 }
 
-constexpr char const *grid_density = "rho_kg_m3", *grid_temperature = "T_K";
+constexpr char const *grid_density = "rho_kg_m3", *grid_temperature = "T_K", *grid_speed = "sound_speed_m_s",
+                     *grid_squared_speed = "sound_speed_squared_m2_s2";
 
 bool is_grid(Store const& store) {
   return store.contains(grid_density) && !store.is_group(grid_density) && store.contains(grid_temperature);
+}
+
+/// Sound speeds, where the table has their squares; states without one have none.
+std::vector<double> roots(std::vector<double> squares) {
+  for (double& value : squares)
+    value = value >= 0 ? std::sqrt(value) : std::numeric_limits<double>::quiet_NaN();
+  return squares;
 }
 
 /// Tables over densities and temperatures, as `eos table` writes them: a row for each state.
@@ -90,13 +99,21 @@ DataTable read_grid(Store const& store) {
       table.rows.push_back({.origin = fmt::format("{}: [{}][{}]", store.file().string(), i, j),
                             .kind = {},
                             .numbers = {{grid_density, rho[i]}, {grid_temperature, T[j]}}});
+  auto const values_of = [&](std::string const& name) {
+    return store.read_doubles(
+        name, {.rows = rho.size(), .row_shape = Store::Shape{T.size()}, .bounds = {.finite = false}});
+  };
+  auto const dataset = [&](std::string const& name) {
+    return fmt::format("'{}': dataset '{}'", store.file().string(), name);
+  };
   for (auto const& [name, column] : table.columns)
     if (name != grid_density && name != grid_temperature)
-      add_values(
-          table, name,
-          store.read_doubles(
-              name, {.rows = rho.size(), .row_shape = Store::Shape{T.size()}, .bounds = {.finite = false}}),
-          fmt::format("'{}': dataset '{}'", store.file().string(), name));
+      add_values(table, name, values_of(name), dataset(name));
+  if (store.contains(grid_squared_speed) && !table.columns.contains(grid_speed)) {
+    table.columns.emplace(grid_speed, parse_data_column(grid_speed));
+    add_values(table, grid_speed, roots(values_of(grid_squared_speed)), dataset(grid_squared_speed));
+    std::erase(table.not_read, grid_squared_speed);
+  }
   return table;
 }
 

@@ -16,12 +16,15 @@ std::vector<double> numbers_of(DumpLines& lines) {
 /// Bounds and, in boxes that may tilt, xy, xz and yz. The bounds hold the whole box, whose upper edges reach
 /// beyond the lower ones by the tilts.
 void take_bounds(DumpLines& lines, DumpBox& into) {
+  std::size_t const words = into.may_tilt ? 3 : 2;
   std::array<double, 3> low{}, edge{}, tilt{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     auto const row = numbers_of(lines);
-    if (row.size() != 2 && row.size() != 3)
-      lines.refuse("must be the two bounds of the box, and its tilt if it is tilted");
-    low[axis] = row[0], edge[axis] = row[1] - row[0], tilt[axis] = row.size() == 3 ? row[2] : 0;
+    if (row.size() != words)
+      lines.refuse(into.may_tilt
+                       ? "must be the two bounds of the box and a tilt, as ITEM: BOX BOUNDS xy xz yz says"
+                       : "must be the two bounds of the box (tilts stand below ITEM: BOX BOUNDS xy xz yz)");
+    low[axis] = row[0], edge[axis] = row[1] - row[0], tilt[axis] = into.may_tilt ? row[2] : 0;
     if (!(edge[axis] > 0) || !std::isfinite(edge[axis]))
       lines.refuse("the upper bound of the box must be greater than the lower one");
   }

@@ -27,6 +27,7 @@ class DumpLines {
   std::string const& next();
   std::int64_t number() const { return number_; }
   bool packed() const { return lines_.packed(); }
+  bool cut() const { return lines_.cut(); }
   /// Throws InputError with file and line.
   [[noreturn]] void refuse(std::string const& what) const;
 

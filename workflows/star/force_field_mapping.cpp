@@ -1,4 +1,5 @@
 #include "workflows/star/force_field_mapping.hpp"
+#include "fitting/toml_text.hpp"
 #include "workflows/star/bond_style.hpp"
 #include "workflows/star/lj_mixing.hpp"
 #include "workflows/star/unit_style.hpp"
@@ -276,11 +277,10 @@ std::string mapping_text(md::MoleculeSystem const& system) {
   if (std::ranges::any_of(kind.charges, [](double charge) { return charge != 0; }))
     throw NotHeldByMapping(fmt::format("'{}': charges", system.data.string()));
   Terms const terms(system);
-  return fmt::format(
-             "format = \"mesobridge mapping 1\"\nname = \"{}\"\nunits = \"{}\"\natoms = {}\nmasses = {}\n"
-             "types = {}\n",
-             kind.name, unit_style(system.units).name, kind.atoms(), toml_list(kind.masses()),
-             toml_list(kind.types)) +
+  return fmt::format("format = \"mesobridge mapping 1\"\nname = {}\nunits = \"{}\"\natoms = {}\nmasses = {}\n"
+                     "types = {}\n",
+                     fitting::quoted(kind.name), unit_style(system.units).name, kind.atoms(),
+                     toml_list(kind.masses()), toml_list(kind.types)) +
          bonds_text(kind, terms) + pairs_text(kind, terms);
 }
 

@@ -39,6 +39,11 @@ class H5mdTrajectory {
         velocity_(element("velocity")), edges_(element("box/edges")) {
     if (store.contains(group_ + "/id"))
       id_.emplace(store, group_ + "/id");
+    if (!id_ && !how_.atoms.empty())
+      how_.warn(fmt::format(
+          "'{}': {} has no element id: its atoms are taken as those of the data file in the order "
+          "of their ids",
+          store.file().string(), group_));
     if (position_.fixed())
       position_.refuse("has no steps: a trajectory is needed");
     check_shapes();
@@ -90,7 +95,9 @@ class H5mdTrajectory {
       position_.refuse(fmt::format("has a frame of {}: must be atoms x 3", extents_text(shape)));
     auto const atoms = shape[0], each = how_.atoms.empty() ? how_.atoms_per_molecule : how_.atoms.size();
     if (!how_.atoms.empty() && atoms != each)
-      position_.refuse(fmt::format("has {} atoms: the data file of the mapping has {}", atoms, each));
+      position_.refuse(fmt::format("has {} atoms: the data file of the mapping has {} (it must be that of "
+                                   "the whole system, as write_data writes it)",
+                                   atoms, each));
     if (position_.steps().empty())
       position_.refuse("has no frame");
     if (atoms == 0 || atoms % each != 0)

@@ -29,6 +29,10 @@ class DumpReader {
       } catch (EndOfFile const&) {
         if (begun || frames == 0)
           end_inside(frames);
+        else if (lines_.cut())
+          how_.warn(
+              fmt::format("'{}': the packed file has no end of its own: its {} frames are used, unchecked",
+                          file_.string(), frames));
         return;
       }
       consume(frame);
@@ -95,7 +99,9 @@ class DumpReader {
           fmt::format("{} atoms: must be at least one, and no more than the file of {} bytes can hold", atoms,
                       file_size_));
     if (!how_.atoms.empty() && std::size_t(atoms) != how_.atoms.size())
-      lines_.refuse(fmt::format("{} atoms: the data file of the mapping has {}", atoms, how_.atoms.size()));
+      lines_.refuse(fmt::format("{} atoms: the data file of the mapping has {} (it must be that of the whole "
+                                "system, as write_data writes it)",
+                                atoms, how_.atoms.size()));
     auto const each = how_.atoms.empty() ? std::int64_t(how_.atoms_per_molecule) : atoms;
     if (atoms % each != 0)
       throw InputError(

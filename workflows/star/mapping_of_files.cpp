@@ -10,11 +10,12 @@ std::string mapping_of_files_text(md::MoleculeSystem const& system, std::optiona
     return std::filesystem::proximate(file, folder.empty() ? std::filesystem::current_path() : folder)
         .string();
   };
-  return fmt::format(
-      "format = \"mesobridge mapping 1\"\nname = \"{}\"\nunits = \"{}\"\n\n[lammps]\n"
-      "data = {}\nsettings = {}\n{}",
-      system.molecules.kind.name, unit_style(system.units).name, fitting::quoted(from_folder(system.data)),
-      fitting::quoted(from_folder(system.forces.file())), kind ? fmt::format("kind = {}\n", *kind) : "");
+  return fmt::format("format = \"mesobridge mapping 1\"\nname = {}\nunits = \"{}\"\n\n[lammps]\n"
+                     "data = {}\nsettings = {}\n{}",
+                     fitting::quoted(system.molecules.kind.name), unit_style(system.units).name,
+                     fitting::quoted(from_folder(system.data)),
+                     fitting::quoted(from_folder(system.forces.file())),
+                     kind ? fmt::format("kind = {}\n", *kind) : "");
 }
 
 } // namespace mesobridge::workflows

@@ -72,6 +72,9 @@ Box TrajectoryFrame::image_box(double reach) const {
           "must be 0 where the box is not periodic along z");
   require(periodic[1] || box.xy == 0, "box", fmt::format("tilt xy = {}", box.xy),
           "must be 0 where the box is not periodic along y");
+  require(periodic[0] || (box.xy == 0 && box.xz == 0), "box",
+          fmt::format("tilts xy = {} and xz = {}", box.xy, box.xz),
+          "must be 0 where the box is not periodic along x");
   auto const stretch = [&](double Vec3::*axis) {
     double low = 0, high = box.edge.*axis;
     for (auto const& r : q)

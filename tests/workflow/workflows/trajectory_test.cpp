@@ -144,7 +144,8 @@ TEST(Trajectory, OfATiltedBoxIsThatOfTheUprightOneOfTheSameLattice) {
   EXPECT_GT(Phi, 1);
 }
 
-/// LAMMPS's files of the melt of tetramers: its first frame, where the last molecules may be of another kind.
+/// LAMMPS's files of the melt of tetramers: its first frame, where the last molecules may be another kind by
+/// the type of their bonds, which is no other law.
 void write_lammps_files(fs::path const& folder, int molecules_of_another_kind) {
   std::istringstream in(read_text_file(cases + "dump/both.lammpstrj"));
   std::string line, atoms, bonds;
@@ -152,19 +153,19 @@ void write_lammps_files(fs::path const& folder, int molecules_of_another_kind) {
   while (std::getline(in, line) && count < 108)
     if (auto const words = words_of(line); words.size() == 12) {
       int const id = std::stoi(std::string(words[0])), molecule = (id - 1) / 4 + 1;
-      atoms += fmt::format("{} {} {} {} {} {}\n", id, molecule,
-                           molecule > 27 - molecules_of_another_kind ? 2 : 1, words[3], words[4], words[5]);
+      atoms += fmt::format("{} {} 1 {} {} {}\n", id, molecule, words[3], words[4], words[5]);
       if (id % 4 != 0)
-        bonds += fmt::format("{} 1 {} {}\n", ++bond, id, id + 1);
+        bonds += fmt::format("{} {} {} {}\n", ++bond, molecule > 27 - molecules_of_another_kind ? 2 : 1, id,
+                             id + 1);
       ++count;
     }
   write_text_file(folder / "melt.data",
-                  "tetramers\n\n108 atoms\n81 bonds\n2 atom types\n1 bond types\n-9 9 xlo xhi\n1 21 ylo yhi\n"
-                  "-3 19 zlo zhi\n\nMasses\n\n1 1\n2 1\n\nAtoms # bond\n\n" +
+                  "tetramers\n\n108 atoms\n81 bonds\n1 atom types\n2 bond types\n-9 9 xlo xhi\n1 21 ylo yhi\n"
+                  "-3 19 zlo zhi\n\nMasses\n\n1 1\n\nAtoms # bond\n\n" +
                       atoms + "\nBonds\n\n" + bonds);
   write_text_file(folder / "melt.settings",
                   "units lj\npair_style lj/cut 1.122462048309373\npair_modify shift yes\n"
-                  "pair_coeff * * 1 1\nbond_style harmonic\nbond_coeff 1 25 1\n"
+                  "pair_coeff * * 1 1\nbond_style harmonic\nbond_coeff * 25 1\n"
                   "special_bonds lj 1 1 1\n");
 }
 
