@@ -96,7 +96,12 @@ class TrialRun {
     if (!moves || motion_.frames() < least_frames_of_lag || motion_.times.back() < least_lags * longest_lag ||
         longest_lag < least_frames_of_lag * motion_.interval())
       return {};
-    return cg::diffusion(motion_, {.longest = longest_lag}).D;
+    // In a small box particles may go so far between two samples that their ways are not known.
+    try {
+      return cg::diffusion(motion_, {.longest = longest_lag}).D;
+    } catch (InputError const&) {
+      return {};
+    }
   }
 
   void take_instant() {

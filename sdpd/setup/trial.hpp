@@ -21,7 +21,7 @@ struct TrialResult {
   double dt = 0;
   double settled = 0; ///< reduced time before the first sample
   cg::Estimate T_kin, T_int, P;
-  cg::Estimate D; ///< self-diffusion in the trial's box; se = 0: too short or too large to tell
+  cg::Estimate D;                      ///< self-diffusion in the trial's box; se = 0: it could not be told
   cg::Estimate eps_mean, eps_variance; ///< over the particles, in k_B T and its square
   /// Slope of (E - E_0)/|E_0|, while the energy that was gained or lost changes the temperature by 2 % at
   /// most: the rate rises steeply with the temperature.
