@@ -319,17 +319,14 @@ TEST(Molecules, WithChargesAmongOthersHaveTheEnergiesOfTheirCharges) {
   for (std::size_t a : {0u, 1u})
     for (std::size_t b : {2u, 3u, 4u})
       Phi += coulomb * charge[a] * charge[b] / norm(q[a] - q[b]) / 2;
-  auto const words = std::vector<std::string>{"cg",
-                                              "mapping",
-                                              (scratch / "ions.data").string(),
-                                              "--settings",
-                                              (scratch / "ions.settings").string(),
-                                              "-o",
-                                              (scratch / "m.toml").string()};
-  expect_refusal(program(words), 2, "cg mapping --kind");
-  auto with_kind = words;
-  with_kind.insert(with_kind.end(), {"--kind", "1"});
-  ASSERT_EQ(program(with_kind).status, 0);
+  auto const mapping = [&](std::vector<std::string> const& kind) {
+    std::vector<std::string> words{"cg", "mapping", scratch / "ions.data"};
+    words.insert(words.end(), {"--settings", scratch / "ions.settings", "-o", scratch / "m.toml"});
+    words.insert(words.end(), kind.begin(), kind.end());
+    return program(words);
+  };
+  expect_refusal(mapping({}), 2, "cg mapping --kind");
+  ASSERT_EQ(mapping({"--kind", "1"}).status, 0);
   auto const made = program({"cg", "blobs", (scratch / "ions.lammpstrj").string(), "--mapping",
                              (scratch / "m.toml").string(), "-o", (scratch / "blobs").string()});
   ASSERT_EQ(made.status, 0) << made.errors;
@@ -338,8 +335,7 @@ TEST(Molecules, WithChargesAmongOthersHaveTheEnergiesOfTheirCharges) {
   EXPECT_NEAR(data.Phi[0], Phi, 1e-9 * std::abs(Phi));
   EXPECT_NEAR(data.U_pot[0], 100 * 0.1 * 0.1, 1e-9);
   EXPECT_NEAR(data.U_pot[1], 0, 1e-9);
-  with_kind.back() = "3";
-  expect_refusal(program(with_kind), 2, "--kind = 3: must be 1 ... 2");
+  expect_refusal(mapping({"--kind", "3"}), 2, "--kind = 3: must be 1 ... 2");
 }
 
 TEST(Molecules, WithWrongCoefficientsBecomeNoMapping) {
