@@ -14,18 +14,11 @@ std::span<Value const> part(std::vector<Value> const& values, std::size_t first,
   return values.empty() ? std::span<Value const>{} : std::span(values).subspan(first, count);
 }
 
-double longest_cutoff(MoleculeModel const& model) {
-  double longest = 0;
-  for (auto const& law : model.pairs)
-    longest = std::max(longest, law.cutoff());
-  return longest;
-}
-
 } // namespace
 
 BlobMaker::BlobMaker(MoleculeModel model)
     : model_(std::move(model)), steps_(spanning_steps(model_)), whole_(joined_by_bonds(model_)),
-      cutoff_(longest_cutoff(model_)), x_(model_.masses.size()), y_(x_), z_(x_), mass_(model_.mass()) {}
+      cutoff_(model_.longest_cutoff()), x_(model_.masses.size()), y_(x_), z_(x_), mass_(model_.mass()) {}
 
 void BlobMaker::join(std::span<Vec3 const> q, Box const& box) {
   x_[0] = q[0].x, y_[0] = q[0].y, z_[0] = q[0].z;

@@ -62,9 +62,7 @@ class CellGrid {
 
 Intermolecular intermolecular(MoleculeModel const& model, std::span<Vec3 const> q, Box const& box) {
   auto const n = std::size_t(model.atoms());
-  double reach = 0;
-  for (auto const& law : model.pairs)
-    reach = std::max(reach, law.cutoff());
+  double const reach = model.longest_cutoff();
   Intermolecular result{.Phi = std::vector<double>(q.size() / n, 0.0),
                         .F = std::vector<Vec3>(q.size() / n, Vec3{})};
   if (reach == 0)

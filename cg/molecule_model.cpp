@@ -9,6 +9,13 @@ double MoleculeModel::mass() const {
   return std::accumulate(masses.begin(), masses.end(), 0.0);
 }
 
+double MoleculeModel::longest_cutoff() const {
+  double longest = 0;
+  for (auto const& law : pairs)
+    longest = std::max(longest, law.cutoff());
+  return longest;
+}
+
 MoleculeModel model_of(md::StarPolymer const& star) {
   auto const n = std::size_t(star.atoms());
   PairLaw const repulsion(1, 1, star.repulsion ? md::wca_cutoff() : 0, true);

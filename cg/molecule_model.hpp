@@ -49,6 +49,7 @@ struct MoleculeModel {
 
   int atoms() const { return int(masses.size()); }
   double mass() const;
+  double longest_cutoff() const; ///< of the pairs' laws; 0 without
   PairLaw const& law(int type_a, int type_b) const {
     return pairs[std::size_t(type_a * type_count + type_b)];
   }

@@ -23,17 +23,13 @@ bool is_first_of_pair(std::array<int, 3> const& waves) {
   return waves > std::array<int, 3>{0, 0, 0};
 }
 
-Vec3 product(Vec3 const& a, Vec3 const& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Two unit vectors perpendicular to k and to each other.
 std::array<Vec3, 2> polarisations(Vec3 const& k) {
   Vec3 const along = k / norm(k);
   Vec3 const other = std::abs(along.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   Vec3 first = other - dot(other, along) * along;
   first = first / norm(first);
-  return {first, product(along, first)};
+  return {first, cross(along, first)};
 }
 
 /// One wave vector, its polarisations, and where its series stand.

@@ -147,8 +147,8 @@ std::string others_text(ParticleModel const& model) {
   };
   std::string text;
   if (auto const& state = model.state)
-    text += fmt::format("\n[state]\n{} = {}\nT = {}\n", key("rho", "_kg_m3"), exact(state->rho),
-                        exact(state->T));
+    text +=
+        fmt::format("\n[state]\n{} = {}\nT = {}\n", key("rho", "_kg_m3"), exact(state->rho), exact(state->T));
   if (model.mass)
     text += fmt::format("\n[particle]\n{} = {}\n", key("mass", "_kg"), exact(*model.mass));
   for (auto const& of : pair_tables()) {

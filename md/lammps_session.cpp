@@ -1,6 +1,7 @@
 #define OMPI_SKIP_MPICXX 1
 #define LAMMPS_LIB_MPI
 #include "md/lammps_session.hpp"
+#include "md/ghost_cutoff.hpp"
 #include "md/lammps_name.hpp"
 #include <array>
 #include <lammps/library.h>
@@ -144,6 +145,10 @@ double LammpsSession::compute(std::string const& id, int component) {
     return static_cast<double const*>(
         lammps_extract_compute(lammps, id.c_str(), LMP_STYLE_GLOBAL, LMP_TYPE_VECTOR))[component];
   });
+}
+
+double LammpsSession::reach() {
+  return guarded("look at the cut-offs", [](void* lammps) { return ghost_cutoff(lammps); });
 }
 
 void* LammpsSession::lammps() const {

@@ -96,6 +96,10 @@ class LammpsSession {
   /// It belongs to no potential: energy and pressure leave it out. Once in a session.
   void add_forces(std::function<void(ForcedAtoms const&)> add);
 
+  /// How far beyond the box LAMMPS will look for images of atoms, by the force field as it stands. All ranks
+  /// must ask.
+  double reach();
+
   /// Moves the atoms of this rank between two runs; each must stay in the rank's part of the box.
   void set_positions(std::function<Vec3(std::int64_t id)> const& position_of);
 

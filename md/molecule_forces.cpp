@@ -63,6 +63,8 @@ double list_distance(std::filesystem::path const& log) {
 /// file between two atoms of a bonded term.
 constexpr double room_for_terms = 2;
 
+constexpr double most_images = 1e7; ///< about 1 GB
+
 double widest_term(Molecules const& molecules) {
   double widest = 0;
   auto const n = std::size_t(molecules.kind.atoms());
@@ -99,6 +101,21 @@ void MoleculeSystem::set_forces(LammpsSession& lammps) const {
   // What was set so far holds unless the settings say otherwise.
   forces.set_all(lammps, coefficients);
   tally_atom_energies(lammps);
+}
+
+void MoleculeSystem::require_few_images(LammpsSession& lammps, Box const& box) const {
+  double const reach = lammps.reach();
+  Vec3 const widths = box.widths();
+  double boxes = 1;
+  for (double const width : {widths.x, widths.y, widths.z})
+    boxes *= 1 + 2 * reach / width;
+  double const images = double(lammps.atoms()) * (boxes - 1);
+  if (!(images <= most_images))
+    throw LammpsError(
+        fmt::format("cut-offs that reach {} (with the skin) beyond a box {} x {} x {} wide need "
+                    "{:.2g} images of its {} atoms; at most {:.0e} are made: a shorter cut-off "
+                    "or a larger box",
+                    reach, widths.x, widths.y, widths.z, images, lammps.atoms(), most_images));
 }
 
 MoleculeSystem read_molecule_system(std::filesystem::path const& data_file,
@@ -154,6 +171,7 @@ void FrameEnergies::start(std::span<Vec3 const> q, Box const& box) {
   if (inside)
     lammps_->command("neigh_modify exclude molecule/inter all");
   lammps_->command("neighbor 0 bin"); // each frame makes its lists anew, of pairs within the cut-off
+  system_.require_few_images(*lammps_, box);
   box_ = box;
   lammps_->command("run 0 post no");
   lammps_->command("log none");

@@ -19,6 +19,9 @@ struct MoleculeSystem {
   void prepare(LammpsSession& lammps) const;
   /// All forces, and what collect_molecules reads, for a session whose atoms are there.
   void set_forces(LammpsSession& lammps) const;
+  /// Throws LammpsError where cut-offs and skin reach so far beyond the box that LAMMPS would have to keep
+  /// more than 10^7 images of its atoms; it would fill the memory with them before it said so.
+  void require_few_images(LammpsSession& lammps, Box const& box) const;
 };
 
 /// What the command line says besides the two files; empty: what these say, or else LAMMPS's usual style.

@@ -136,6 +136,7 @@ class MoleculeMeltSystem final : public MeltSystem {
 
   bool relax(LammpsSession& lammps, std::function<bool()> const& goes_on) const override {
     try {
+      system_.require_few_images(lammps, molecules_.box);
       lammps.command("run 0 post no"); // LAMMPS looks for coefficients that are missing
       return !settings_.minimise || minimised(lammps, goes_on);
     } catch (LammpsError const& error) {

@@ -31,6 +31,9 @@ struct Vec3 {
 inline double dot(Vec3 const& a, Vec3 const& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline Vec3 cross(Vec3 const& a, Vec3 const& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double norm2(Vec3 const& a) {
   return dot(a, a);
 }

@@ -1,15 +1,7 @@
 #define OMPI_SKIP_MPICXX 1
 #define LAMMPS_LIB_MPI
 #include "sdpd/lammps/styles.hpp"
-
-// LAMMPS's headers call a function of fmt that later versions lack.
-#include <fmt/format.h>
-namespace fmt {
-template <class... Args, class Format>
-auto make_args_checked(Format const&, std::remove_reference_t<Args>&... args) {
-  return fmt::make_format_args(args...);
-}
-} // namespace fmt
+#include "md/lammps_headers.hpp"
 
 #include <lammps/atom.h>
 #include <lammps/comm.h>

@@ -3,12 +3,12 @@
 #include "workflows/command/options.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/star/blob_file.hpp"
-#include "workflows/star/energy_check.hpp"
-#include "workflows/star/force_check.hpp"
-#include "workflows/star/frame_blobs.hpp"
-#include "workflows/star/mapping_file.hpp"
-#include "workflows/star/trajectory_file.hpp"
 #include "workflows/summary.hpp"
+#include "workflows/trajectory/energy_check.hpp"
+#include "workflows/trajectory/force_check.hpp"
+#include "workflows/trajectory/frame_blobs.hpp"
+#include "workflows/trajectory/mapping_file.hpp"
+#include "workflows/trajectory/trajectory_file.hpp"
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <numeric>
@@ -242,7 +242,7 @@ class Conversion {
   std::filesystem::path path_;
   Clock clock_;
   std::unique_ptr<FrameBlobs> blobs_;
-  EnergyCheck energies_;
+  EnergyCheck energies_{mapping_.system ? EnergyCheck::Laws::of_lammps : EnergyCheck::Laws::of_mapping};
   ForceCheck forces_;
   std::optional<BlobFile> file_;
   std::size_t frames_ = 0, molecules_ = 0;

@@ -1,8 +1,8 @@
 #include "workflows/command/options.hpp"
 #include "workflows/shared_options.hpp"
-#include "workflows/star/force_field_mapping.hpp"
-#include "workflows/star/mapping_of_files.hpp"
 #include "workflows/text_file.hpp"
+#include "workflows/trajectory/force_field_mapping.hpp"
+#include "workflows/trajectory/mapping_of_files.hpp"
 #include <CLI/CLI.hpp>
 
 namespace mesobridge::workflows {

@@ -4,7 +4,7 @@
 #include "workflows/ranks.hpp"
 #include "workflows/shared_options.hpp"
 #include "workflows/star/melt_summary.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 
 namespace mesobridge::workflows {
 

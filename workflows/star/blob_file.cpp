@@ -1,6 +1,6 @@
 #include "workflows/star/blob_file.hpp"
 #include "md/error.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {

@@ -2,7 +2,7 @@
 #include "cg/blobs.hpp"
 #include "workflows/h5md.hpp"
 #include "workflows/star/blob_file.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <optional>
 
 namespace mesobridge::workflows {

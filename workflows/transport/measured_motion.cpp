@@ -5,7 +5,7 @@
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/sdpd/trajectories.hpp"
 #include "workflows/star/blob_analysis.hpp"
-#include "workflows/star/trajectory_file.hpp"
+#include "workflows/trajectory/trajectory_file.hpp"
 #include <spdlog/logger.h>
 
 namespace mesobridge::workflows {

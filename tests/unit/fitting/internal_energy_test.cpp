@@ -90,9 +90,9 @@ TEST(InternalEnergy, RefusesWhatLiesOutside) {
 TEST(ParticleModelFile, ReadsBackBitForBit) {
   TabulatedHeatCapacity const table({0.3, 0.7, 1.0 / 3 + 1, 1.5}, {5, 9, 8.1, 12}, 2);
   ParticleModel const model{.internal_energy = table,
-.reduced = true,
-.data_hash = "abc",
-.provenance = {{"made by", "a \"test\""}}};
+                            .reduced = true,
+                            .data_hash = "abc",
+                            .provenance = {{"made by", "a \"test\""}}};
   auto const read = parse_particle_model(to_toml(model), "model.toml");
   auto const& back = std::get<TabulatedHeatCapacity>(read.internal_energy);
   EXPECT_EQ(back.temperatures(), table.temperatures());

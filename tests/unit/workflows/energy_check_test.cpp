@@ -1,4 +1,4 @@
-#include "workflows/star/energy_check.hpp"
+#include "workflows/trajectory/energy_check.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {
@@ -6,7 +6,7 @@ namespace {
 
 /// Warnings of a run whose total energies are these, in units of `unit`.
 std::vector<std::string> warnings_of(std::vector<double> const& energies, double unit) {
-  EnergyCheck check;
+  EnergyCheck check(EnergyCheck::Laws::of_mapping);
   for (std::size_t k = 0; k < energies.size(); ++k) {
     check.add(static_cast<std::int64_t>(k),
               {.kinetic = unit * (1 + 0.1 * (k % 2 ? 1 : -1)), .potential = unit * (energies[k] - 1)},
@@ -28,8 +28,23 @@ TEST(EnergyCheck, TellsAWanderOfAnySize) {
   EXPECT_EQ(cases, 3);
 }
 
+TEST(EnergyCheck, AsksForWhatTheUserCanMend) {
+  for (auto const laws : {EnergyCheck::Laws::of_mapping, EnergyCheck::Laws::of_lammps}) {
+    EnergyCheck check(laws);
+    for (int k = 0; k < 4; ++k)
+      check.add(k, {.kinetic = 1 + 0.01 * (k % 2), .potential = 4.0 + k, .bonds = 1}, 5.0 + k);
+    auto const warnings = check.warnings();
+    ASSERT_EQ(warnings.size(), 2u);
+    bool const by_lammps = laws == EnergyCheck::Laws::of_lammps;
+    EXPECT_EQ(warnings[0].find("special_bonds") != std::string::npos, by_lammps) << warnings[0];
+    EXPECT_EQ(warnings[0].find("LAMMPS's K") == std::string::npos, by_lammps) << warnings[0];
+    EXPECT_EQ(warnings[1].find("data file") != std::string::npos, by_lammps) << warnings[1];
+    EXPECT_EQ(warnings[1].find("k or K") == std::string::npos, by_lammps) << warnings[1];
+  }
+}
+
 TEST(EnergyCheck, SaysNothingOfAnEnergyThatIsKept) {
-  EnergyCheck check;
+  EnergyCheck check(EnergyCheck::Laws::of_mapping);
   for (int k = 0; k < 4; ++k) {
     double const kinetic = 1 + 0.1 * (k % 2);
     check.add(k, {.kinetic = kinetic, .potential = 4 - kinetic}, std::nullopt);

@@ -277,7 +277,8 @@ TEST(PairScene, WhatItSaysTakesThePlaceOfItsModel) {
     EXPECT_TRUE(parse_scene(resolved_toml(scene), "elsewhere.toml") == scene);
     return settings_of(scene, 1).as<sdpd::Dpde>();
   };
-  EXPECT_TRUE(std::holds_alternative<sdpd::PowerFriction>(of("[friction]\ngamma_par = 1\ncutoff = 1\n").friction));
+  EXPECT_TRUE(
+      std::holds_alternative<sdpd::PowerFriction>(of("[friction]\ngamma_par = 1\ncutoff = 1\n").friction));
   EXPECT_FALSE(of("[conduction]\nkappa = 0\n").conduction);
   EXPECT_TRUE(std::holds_alternative<sdpd::NoPotential>(of("[potential]\nname = \"none\"\n").potential));
   auto const heavy = of("[internal_energy]\nheat_capacity = 70\n");
@@ -304,7 +305,8 @@ TEST(PairScene, NamesWhatItsModelLacks) {
   EXPECT_EQ(error(without("[potential]")), "no error");
   EXPECT_NE(error(without("[particle]")).find("particles.mass"), std::string::npos);
   EXPECT_NE(error(without("[friction]")).find("friction.gamma_par"), std::string::npos);
-  EXPECT_NE(error(without("[potential]"), "[potential]\nname = \"model\"\n").find("potential.name"), std::string::npos);
+  EXPECT_NE(error(without("[potential]"), "[potential]\nname = \"model\"\n").find("potential.name"),
+            std::string::npos);
   EXPECT_NE(error(replaced(particle, "reduced", "K")).find("particle.toml"), std::string::npos);
   EXPECT_NE(error(replaced(particle, "C_kB = 30.0", "C_kB = 0.0")).find("must be > 0"), std::string::npos);
 }

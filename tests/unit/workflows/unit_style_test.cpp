@@ -1,5 +1,5 @@
 #include "md/error.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::workflows {

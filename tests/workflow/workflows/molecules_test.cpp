@@ -4,8 +4,8 @@
 #include "scratch_directory.hpp"
 #include "unit/workflows/killed_process.hpp"
 #include "workflows/star/blob_file.hpp"
-#include "workflows/star/mapping_file.hpp"
 #include "workflows/text_file.hpp"
+#include "workflows/trajectory/mapping_file.hpp"
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "scratch_directory.hpp"
 #include "workflows/process.hpp"
 #include "workflows/star/blob_file.hpp"
-#include "workflows/star/dump_lines.hpp"
 #include "workflows/text_file.hpp"
+#include "workflows/trajectory/dump_lines.hpp"
 #include <array>
 #include <cmath>
 #include <functional>
@@ -210,6 +210,32 @@ TEST(Trajectory, ByLammpssEnergiesGivesTheBlobsOfTheMappingsOwnLaws) {
     }
   }
   EXPECT_EQ(compared, 6);
+}
+
+// LAMMPS itself fills the memory with images for half a minute before it says so.
+TEST(Trajectory, CutoffsThatReachTooManyImagesAreRefusedAtOnce) {
+  ScratchDirectory const scratch;
+  int refused = 0;
+  for (std::string const wide : {"pair_style lj/cut 1120000\n", "pair_style lj/cut 1e300\n",
+                                 "pair_style lj/cut 1.12\ncomm_modify cutoff 1e9\n"}) {
+    write_lammps_files(scratch.path(), 0);
+    auto text = read_text_file(scratch / "melt.settings");
+    std::string const usual = "pair_style lj/cut 1.122462048309373\n";
+    text.replace(text.find(usual), usual.size(), wide);
+    write_text_file(scratch / "melt.settings", text);
+    write_text_file(scratch / "map.toml", "format = \"mesobridge mapping 1\"\nname = \"tetramer\"\n[lammps]\n"
+                                          "data = \"melt.data\"\nsettings = \"melt.settings\"\nkind = 1\n");
+    auto const result = blobs_of(cases + "dump/both.lammpstrj", scratch / "map.toml", scratch / "blobs");
+    EXPECT_EQ(result.status, 2) << wide;
+    EXPECT_NE(result.errors.find("melt.settings"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("images of its 108 atoms"), std::string::npos) << result.errors;
+    auto const melt = run_process({MESOBRIDGE_PROGRAM, "md", "molecules", (scratch / "melt.data").string(),
+                                   (scratch / "melt.settings").string(), "-o", (scratch / "md").string()});
+    EXPECT_EQ(melt.status, 2) << wide;
+    EXPECT_NE(melt.errors.find("images of its 108 atoms"), std::string::npos) << melt.errors;
+    ++refused;
+  }
+  EXPECT_EQ(refused, 3);
 }
 
 /// A dimer a frame: atoms at x = 5 and 6.1, z near the two ends of a box of 12, moving apart.

@@ -16,7 +16,8 @@ SceneKey key_of_names() {
                                             : fmt::format("{}, {}", kind.name, kind.summary));
   }
   names.emplace_back("table"), meanings.emplace_back("table, a CSV file");
-  names.emplace_back("model"), meanings.emplace_back("model, that of particles.model, which is usual if it has one");
+  names.emplace_back("model"),
+      meanings.emplace_back("model, that of particles.model, which is usual if it has one");
   return Line(
              "potential", "name", [](Scene& s) { return &s.potential.name; },
              fmt::format("potential between two particles: {}", fmt::join(meanings, "; ")))

@@ -1,6 +1,6 @@
 #pragma once
 #include "workflows/command.hpp"
-#include "workflows/star/frame_blobs.hpp"
+#include "workflows/trajectory/frame_blobs.hpp"
 
 namespace mesobridge::workflows {
 
@@ -8,6 +8,13 @@ namespace mesobridge::workflows {
 /// energy that the trajectory itself says, and that a run at constant energy keeps it.
 class EnergyCheck {
  public:
+  /// Whose laws tell the potential energy.
+  enum class Laws {
+    of_mapping, ///< those in the mapping file
+    of_lammps   ///< those of LAMMPS's files that the mapping names
+  };
+  explicit EnergyCheck(Laws laws) : laws_(laws) {}
+
   /// One frame; `said` is the potential energy of the whole system by the trajectory.
   void add(std::int64_t step, FoundBlobs const& found, std::optional<double> said);
 
@@ -24,7 +31,10 @@ class EnergyCheck {
   };
   std::optional<std::string> potential_warning() const;
   std::optional<std::string> drift_warning() const;
+  /// Why the potential energies of this row may differ.
+  std::string guess(Row const& row) const;
 
+  Laws laws_;
   std::vector<Row> rows_;
 };
 

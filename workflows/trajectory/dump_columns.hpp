@@ -1,5 +1,5 @@
 #pragma once
-#include "workflows/star/dump_lines.hpp"
+#include "workflows/trajectory/dump_lines.hpp"
 #include <array>
 #include <map>
 #include <optional>

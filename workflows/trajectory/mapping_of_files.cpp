@@ -1,6 +1,6 @@
-#include "workflows/star/mapping_of_files.hpp"
+#include "workflows/trajectory/mapping_of_files.hpp"
 #include "fitting/toml_text.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 
 namespace mesobridge::workflows {
 

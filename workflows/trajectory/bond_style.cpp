@@ -1,4 +1,4 @@
-#include "workflows/star/bond_style.hpp"
+#include "workflows/trajectory/bond_style.hpp"
 #include <algorithm>
 #include <fmt/ranges.h>
 

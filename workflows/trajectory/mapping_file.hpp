@@ -1,7 +1,7 @@
 #pragma once
 #include "cg/molecule_model.hpp"
 #include "md/molecule_forces.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <filesystem>
 #include <memory>
 

@@ -1,6 +1,6 @@
-#include "workflows/star/lammps_dump.hpp"
-#include "workflows/star/dump_box.hpp"
-#include "workflows/star/dump_columns.hpp"
+#include "workflows/trajectory/lammps_dump.hpp"
+#include "workflows/trajectory/dump_box.hpp"
+#include "workflows/trajectory/dump_columns.hpp"
 #include <algorithm>
 #include <map>
 #include <set>

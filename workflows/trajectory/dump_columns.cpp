@@ -1,4 +1,4 @@
-#include "workflows/star/dump_columns.hpp"
+#include "workflows/trajectory/dump_columns.hpp"
 
 namespace mesobridge::workflows {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "workflows/star/trajectory_file.hpp"
+#include "workflows/trajectory/trajectory_file.hpp"
 
 namespace mesobridge::workflows {
 

@@ -1,4 +1,4 @@
-#include "workflows/star/frame_blobs.hpp"
+#include "workflows/trajectory/frame_blobs.hpp"
 #include "cg/intermolecular.hpp"
 #include <algorithm>
 #include <numeric>
@@ -6,13 +6,6 @@
 namespace mesobridge::workflows {
 
 namespace {
-
-double longest_cutoff(cg::MoleculeModel const& model) {
-  double longest = 0;
-  for (auto const& law : model.pairs)
-    longest = std::max(longest, law.cutoff());
-  return longest;
-}
 
 /// The energy of the bonds of all molecules, whose joined shapes nearest images along the bonds tell.
 double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box const& box) {
@@ -28,7 +21,7 @@ double bond_energy(cg::MoleculeModel const& model, std::span<Vec3 const> q, Box 
 class BlobsByMapping final : public FrameBlobs {
  public:
   explicit BlobsByMapping(Mapping const& mapping)
-      : mapping_(mapping), maker_(mapping.model), reach_(longest_cutoff(mapping.model)) {}
+      : mapping_(mapping), maker_(mapping.model), reach_(mapping.model.longest_cutoff()) {}
 
   cg::MoleculeModel const& model() const override { return maker_.model(); }
   bool has_pairs() const override { return reach_ > 0; }

@@ -1,7 +1,7 @@
-#include "workflows/star/h5md_trajectory.hpp"
+#include "workflows/trajectory/h5md_trajectory.hpp"
 #include "md/error.hpp"
-#include "workflows/star/edge_vectors.hpp"
-#include "workflows/star/h5md_element.hpp"
+#include "workflows/trajectory/edge_vectors.hpp"
+#include "workflows/trajectory/h5md_kinds.hpp"
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -47,6 +47,7 @@ class H5mdTrajectory {
     if (position_.fixed())
       position_.refuse("has no steps: a trajectory is needed");
     check_shapes();
+    kinds_.emplace(store, group_, position_.frame_shape()[0], how);
     read_boundary();
     length_ = factor(position_, position_.unit(), 1, 0);
     edge_ = factor(edges_, edges_.unit(), 1, 0);
@@ -217,6 +218,7 @@ class H5mdTrajectory {
     if (auto const time = position_.time(row))
       frame.time = *time * time_;
     auto const order = order_at(step, frame.ids);
+    kinds_->check(step, order);
     auto const q = position_.numbers(step), v = velocity_.numbers(step);
     for (auto const k : order) {
       frame.q.push_back(box.turned(length_ * Vec3{q[3 * k], q[3 * k + 1], q[3 * k + 2]}));
@@ -239,6 +241,7 @@ class H5mdTrajectory {
   std::string group_;
   H5mdElement position_, velocity_, edges_;
   std::optional<H5mdElement> id_;
+  std::optional<H5mdKinds> kinds_;
   std::array<bool, 3> periodic_{true, true, true};
   double length_ = 1, edge_ = 1, velocity_factor_ = 1, time_ = 1;
 };

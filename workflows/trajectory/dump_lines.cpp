@@ -1,4 +1,4 @@
-#include "workflows/star/dump_lines.hpp"
+#include "workflows/trajectory/dump_lines.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {

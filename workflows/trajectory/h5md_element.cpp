@@ -1,4 +1,4 @@
-#include "workflows/star/h5md_element.hpp"
+#include "workflows/trajectory/h5md_element.hpp"
 #include "md/error.hpp"
 
 namespace mesobridge::workflows {

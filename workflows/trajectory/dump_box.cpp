@@ -1,4 +1,4 @@
-#include "workflows/star/dump_box.hpp"
+#include "workflows/trajectory/dump_box.hpp"
 #include <algorithm>
 #include <span>
 

@@ -1,8 +1,8 @@
-#include "workflows/star/force_field_mapping.hpp"
+#include "workflows/trajectory/force_field_mapping.hpp"
 #include "fitting/toml_text.hpp"
-#include "workflows/star/bond_style.hpp"
-#include "workflows/star/lj_mixing.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/bond_style.hpp"
+#include "workflows/trajectory/lj_mixing.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

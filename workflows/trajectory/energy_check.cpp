@@ -1,4 +1,4 @@
-#include "workflows/star/energy_check.hpp"
+#include "workflows/trajectory/energy_check.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -40,24 +40,29 @@ void EnergyCheck::add(std::int64_t step, FoundBlobs const& found, std::optional<
                    .said = said});
 }
 
+std::string EnergyCheck::guess(Row const& row) const {
+  if (laws_ == Laws::of_lammps)
+    return "are data file and settings those of the run, with its cut-offs and special_bonds?";
+  double const said = *row.said, scale = std::abs(said) + row.kinetic;
+  if (agree(row.potential + row.bonds, said, scale))
+    return "with bonds twice as stiff they agree: the k of the bonds is LAMMPS's K, for which the mapping "
+           "has "
+           "the key K";
+  if (agree(row.potential - row.bonds / 2, said, scale))
+    return "with bonds half as stiff they agree: K in the mapping is LAMMPS's, K (r - l)^2; the key k is "
+           "that "
+           "of k (r - l)^2 / 2";
+  return "are all its bonds, pairs and cut-offs in the mapping, in the run's units?";
+}
+
 std::optional<std::string> EnergyCheck::potential_warning() const {
   auto const wrong = std::ranges::find_if(rows_, [](Row const& row) {
     return row.said && !agree(row.potential, *row.said, std::abs(*row.said) + row.kinetic);
   });
   if (wrong == rows_.end())
     return std::nullopt;
-  double const said = *wrong->said, scale = std::abs(said) + wrong->kinetic;
-  std::string guess = "are all its bonds, pairs and cut-offs in the mapping, in the run's units?";
-  if (agree(wrong->potential + wrong->bonds, said, scale))
-    guess = "with bonds twice as stiff they agree: the k of the bonds is LAMMPS's K, for which the mapping "
-            "has the "
-            "key K";
-  else if (agree(wrong->potential - wrong->bonds / 2, said, scale))
-    guess = "with bonds half as stiff they agree: K in the mapping is LAMMPS's, K (r - l)^2; the key k is "
-            "that of "
-            "k (r - l)^2 / 2";
   return fmt::format("the potential energy at step {} is {:.6g} by the mapping, {:.6g} by the trajectory: {}",
-                     wrong->step, wrong->potential, said, guess);
+                     wrong->step, wrong->potential, *wrong->said, guess(*wrong));
 }
 
 std::optional<std::string> EnergyCheck::drift_warning() const {
@@ -71,9 +76,10 @@ std::optional<std::string> EnergyCheck::drift_warning() const {
     return std::nullopt;
   return fmt::format(
       "the total energy wanders: its standard deviation is {:.3g}, that of the kinetic energy {:.3g} "
-      "(from {:.6g} to {:.6g}). A thermostat does that; at constant energy the mapping's masses, "
-      "bonds (k or K), pairs or units are not those of the run",
-      sd(energies), sd(kinetic), energies.front(), energies.back());
+      "(from {:.6g} to {:.6g}). A thermostat does that; at constant energy {} are not those of the run",
+      sd(energies), sd(kinetic), energies.front(), energies.back(),
+      laws_ == Laws::of_lammps ? "masses, force field or units of the data file and the settings"
+                               : "the mapping's masses, bonds (k or K), pairs or units");
 }
 
 std::vector<std::string> EnergyCheck::warnings() const {

@@ -1,4 +1,4 @@
-#include "workflows/star/mapping_file.hpp"
+#include "workflows/trajectory/mapping_file.hpp"
 #include "fitting/toml_reader.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>

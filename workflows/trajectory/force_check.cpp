@@ -1,4 +1,4 @@
-#include "workflows/star/force_check.hpp"
+#include "workflows/trajectory/force_check.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

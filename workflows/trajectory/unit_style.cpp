@@ -1,4 +1,4 @@
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include "md/error.hpp"
 #include <algorithm>
 #include <array>

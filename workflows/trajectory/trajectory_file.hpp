@@ -1,6 +1,6 @@
 #pragma once
 #include "md/box.hpp"
-#include "workflows/star/unit_style.hpp"
+#include "workflows/trajectory/unit_style.hpp"
 #include <array>
 #include <cstdint>
 #include <filesystem>

@@ -1,14 +1,6 @@
-#include "workflows/star/edge_vectors.hpp"
+#include "workflows/trajectory/edge_vectors.hpp"
 
 namespace mesobridge::workflows {
-
-namespace {
-
-Vec3 cross(Vec3 const& a, Vec3 const& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-} // namespace
 
 std::optional<TurnedBox> box_of_edges(Vec3 const& a, Vec3 const& b, Vec3 const& c) {
   constexpr double flat = 1e-9; // volume over that of a rectangular box of such edges

@@ -1,6 +1,6 @@
 #pragma once
-#include "workflows/star/dump_lines.hpp"
-#include "workflows/star/edge_vectors.hpp"
+#include "workflows/trajectory/dump_lines.hpp"
+#include "workflows/trajectory/edge_vectors.hpp"
 
 namespace mesobridge::workflows {
 

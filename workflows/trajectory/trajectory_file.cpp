@@ -1,7 +1,7 @@
-#include "workflows/star/trajectory_file.hpp"
+#include "workflows/trajectory/trajectory_file.hpp"
 #include "md/error.hpp"
-#include "workflows/star/h5md_trajectory.hpp"
-#include "workflows/star/lammps_dump.hpp"
+#include "workflows/trajectory/h5md_trajectory.hpp"
+#include "workflows/trajectory/lammps_dump.hpp"
 #include <algorithm>
 #include <fstream>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "cg/blobs.hpp"
-#include "workflows/star/mapping_file.hpp"
-#include "workflows/star/trajectory_file.hpp"
+#include "workflows/trajectory/mapping_file.hpp"
+#include "workflows/trajectory/trajectory_file.hpp"
 #include <memory>
 
 namespace mesobridge::workflows {
