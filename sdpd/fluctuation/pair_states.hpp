@@ -9,26 +9,28 @@ class PairStates {
  public:
   using States = std::array<ThermalState, 2>;
 
-  /// The particles and their places in memory. Throws PhysicsError when one has left the equation of state.
+  /// The particles and their places in memory, where `all` has their energies at the start of the sweep, and
+  /// densities and masses. Throws PhysicsError when one has left the equation of state.
+  PairStates(Thermodynamics const& thermodynamics, Particles const& all,
+             std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places)
+      : thermodynamics_(thermodynamics), all_(all), particles_(particles), index_(places), now_(with(0, 0)) {}
   PairStates(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places)
-      : system_(system), particles_(particles), index_(places), now_(with(0, 0)) {}
+      : PairStates(*system.thermodynamics, system.particles, particles, places) {}
 
   FluctuatingParticle& operator[](std::size_t k) const { return *particles_[k]; }
   States const& now() const { return now_; }
-  PairMasses<double> masses() const {
-    return {system_.particles.mass_of(index_[0]), system_.particles.mass_of(index_[1])};
-  }
+  PairMasses<double> masses() const { return {all_.mass_of(index_[0]), all_.mass_of(index_[1])}; }
   /// Throws PhysicsError when the equation of state has no such states.
   States with(double heat_a, double heat_b) const { return {state(0, heat_a), state(1, heat_b)}; }
 
  private:
   ThermalState state(std::size_t k, double heat) const {
-    auto const& of = system_.particles;
     Index const i = index_[k];
-    return system_.thermodynamics->state(of, i, of.eps[i] + particles_[k]->u + heat);
+    return thermodynamics_.state(all_, i, all_.eps[i] + particles_[k]->u + heat);
   }
 
-  System const& system_;
+  Thermodynamics const& thermodynamics_;
+  Particles const& all_;
   std::array<FluctuatingParticle*, 2> particles_;
   std::array<Index, 2> index_;
   States now_;

@@ -9,8 +9,10 @@ namespace mesobridge::sdpd {
 struct SweepNoise {
   NoiseSource pairs, acceptance;
 
+  SweepNoise(std::uint64_t seed, std::uint64_t step, Stream of_pairs, Stream of_acceptance)
+      : pairs(seed, of_pairs, step), acceptance(seed, of_acceptance, step) {}
   SweepNoise(System const& system, Stream of_pairs, Stream of_acceptance)
-      : pairs(system.seed, of_pairs, system.step), acceptance(system.seed, of_acceptance, system.step) {}
+      : SweepNoise(system.seed, system.step, of_pairs, of_acceptance) {}
 
   /// The uniform number, in [0, 1), of the Metropolis test of particles `a` and `b` (ids): the spare bits of
   /// their step first, then 32 of its own.

@@ -17,6 +17,16 @@ std::uint32_t cells_along(double edge, double range) {
 
 } // namespace
 
+std::optional<PairScheme> scheme_in_turn(std::string_view integrator) {
+  if (integrator == "ssa")
+    return PairScheme::ssa;
+  if (integrator == "ams")
+    return PairScheme::ams;
+  if (integrator == "ems")
+    return PairScheme::ems;
+  return std::nullopt;
+}
+
 bool BlockSweep::fits(Box const& box, double range) {
   constexpr std::uint32_t fewest = 4;
   return std::min({cells_along(box.edge.x, range), cells_along(box.edge.y, range),

@@ -1,4 +1,5 @@
 #include "sdpd/lammps/block_sweep.hpp"
+#include "sdpd/fluctuation/metropolis_lanes.hpp"
 #include "sdpd/lammps/pair_noise.hpp"
 #include <algorithm>
 #include <bit>
@@ -8,18 +9,12 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// The steps of eight pairs, each by the scalar exponential, which is one in double precision.
-template <class Law>
-Bath<Lanes>::Directions steps_of(Law const& law, Bath<Lanes> const& bath, PairWeights<Lanes> const& weight,
-                                 double time) {
-  Bath<Lanes>::Directions steps{};
-  for (std::size_t l = 0; l < lane_count; ++l) {
-    auto const one = step_in(Bath<double>{bath.gamma_over_a[l], bath.thermal[l]}, law,
-                             PairWeights<double>{weight.par[l], weight.perp[l]}, time);
-    steps.par.decay[l] = one.par.decay, steps.par.variance[l] = one.par.variance;
-    steps.perp.decay[l] = one.perp.decay, steps.perp.variance[l] = one.perp.variance;
-  }
-  return steps;
+Vec3 lane(VectorLanes<Lanes> const& of, std::size_t l) {
+  return {of.x[l], of.y[l], of.z[l]};
+}
+
+SweepNoise noise_of(BlockSweep::Inputs const& in) {
+  return {in.seed, in.step, fluctuation_noise.first, acceptance_noise.first};
 }
 
 } // namespace
@@ -43,9 +38,11 @@ void BlockSweep::begin(Inputs const& in) {
   }
   in.ghosts.forward({fixed_.data(), fixed_stride, Law::has_energies ? int{fixed_width} : 1});
   if constexpr (Law::has_energies) {
-    seen_.T.resize(all), seen_.rho.resize(all);
-    for (std::size_t i = 0; i < all; ++i)
-      seen_.T[i] = fixed_[fixed_stride * i + T_0], seen_.rho[i] = fixed_[fixed_stride * i + density];
+    seen_.T.resize(all), seen_.rho.resize(all), seen_.eps.resize(all);
+    for (std::size_t i = 0; i < all; ++i) {
+      double const* const fixed = &fixed_[fixed_stride * i];
+      seen_.T[i] = fixed[T_0], seen_.rho[i] = fixed[density], seen_.eps[i] = fixed[energy];
+    }
   }
 }
 
@@ -54,12 +51,14 @@ void BlockSweep::draw_noise(Law const&, Inputs const& in) {
   NoiseLanes const source(NoiseSource(in.seed, fluctuation_noise.first, in.step));
   for (auto& of_axis : noise_)
     of_axis.resize(ordered_.size() + 2 * wide_count);
+  bits_.resize(ordered_.size() + 2 * wide_count);
   std::array<std::uint32_t, wide_count> i{}, j{};
   for (std::size_t first = 0; first < ordered_.size(); first += wide_count) {
     for (std::size_t l = 0; l < wide_count && first + l < ordered_.size(); ++l)
       i[l] = block_[ordered_[first + l].i].place, j[l] = block_[ordered_[first + l].j].place;
     PairNoiseLanes const G(source, in.particles, i.data(), j.data(), Law::noise);
     store(G.x, &noise_[0][first]), store(G.y, &noise_[1][first]), store(G.z, &noise_[2][first]);
+    store(G.bits, &bits_[first]);
   }
 }
 
@@ -103,6 +102,74 @@ Bath<Lanes> BlockSweep::bath_of(Law const& law, Inputs const& in, ParticleLanes 
   }
 }
 
+template <class Law>
+unsigned BlockSweep::judge(Law const& law, Inputs const& in, Proposed<Law> const& of, Failure& failure) {
+  unsigned const present = (1u << of.at.count) - 1;
+  in.counts.proposed += of.at.count;
+  if constexpr (!Law::has_energies) {
+    return present;
+  } else {
+    if (in.scheme == PairScheme::ssa)
+      return present;
+    Lanes const T_a = of.a.caloric.T(of.a.u + of.heat), T_b = of.b.caloric.T(of.b.u + of.heat), zero{};
+    unsigned const reach = of.a.caloric.in_reach(T_a) & of.b.caloric.in_reach(T_b) &
+                           of.a.caloric.in_reach(of.a.caloric.T(of.a.u)) &
+                           of.b.caloric.in_reach(of.b.caloric.T(of.b.u));
+    unsigned const in_domain = less(zero, T_a) & less(zero, T_b);
+    in.counts.out_of_domain += static_cast<unsigned>(std::popcount(present & reach & ~in_domain));
+    unsigned made = present & reach & in_domain;
+    if (in.scheme == PairScheme::ems)
+      made = pass_metropolis(law, in, of, made);
+    for (unsigned far = present & ~reach; far != 0; far &= far - 1)
+      step_exactly(law, in, of, static_cast<std::size_t>(std::countr_zero(far)), failure);
+    return made;
+  }
+}
+
+/// Those of the proposed steps that pass the test of EMS (S24).
+template <class Law>
+unsigned BlockSweep::pass_metropolis(Law const& law, Inputs const& in, Proposed<Law> const& of,
+                                     unsigned made) const {
+  auto const& [a, b] = std::tie(of.a.caloric, of.b.caloric);
+  Lanes const u_a = of.a.u + of.heat, u_b = of.b.u + of.heat;
+  Lanes const T_a = a.T(of.a.u), T_b = b.T(of.b.u), T_a1 = a.T(u_a), T_b1 = b.T(u_b);
+  auto const back = step_in(law.template bath<Lanes>({T_a1, T_b1, a.inverse_C(u_a), b.inverse_C(u_b)}), law,
+                            of.input.weight, in.time);
+  auto const noise =
+      noise_terms<Lanes>({of.step.par.variance, of.step.perp.variance}, back, of.input, of.v, of.dv);
+  auto const measure = pair_change(a, b, T_a, T_b, T_a1, T_b1);
+  Lanes exponent = 0.5 * (logarithm(noise.widths) + noise.squares) + measure.entropy / law.boltzmann;
+  if constexpr (Law::measure_over_T)
+    exponent -= measure.log_T;
+  auto const source = noise_of(in);
+  for (unsigned left = made; left != 0; left &= left - 1) {
+    auto const l = static_cast<std::size_t>(std::countr_zero(left));
+    double const uniform = source.uniform(block_[of.at.i[l]].id, block_[of.at.j[l]].id, bits_[of.first + l]);
+    if (!(uniform < std::exp(exponent[l])))
+      made &= ~(1u << l), ++in.counts.metropolis;
+  }
+  return made;
+}
+
+template <class Law>
+void BlockSweep::step_exactly(Law const& law, Inputs const& in, Proposed<Law> const& of, std::size_t l,
+                              Failure& failure) {
+  auto const i = of.at.i[l], j = of.at.j[l];
+  Sweep<Law> const sweep{law, in.time, noise_of(in)};
+  Vec3 const e = lane(of.input.e, l);
+  // Along the line of centres alone the noise is one number.
+  Vec3 const G = Law::across == Transverse::none ? of.input.G_along[l] * e : lane(of.input.G, l);
+  try {
+    PairStates const states(*in.parts.thermodynamics, seen_, {&states_[i], &states_[j]},
+                            {block_[i].place, block_[j].place});
+    ExactPair<Law>(states, law.boltzmann)
+        .step(in.scheme, {e, {of.input.weight.par[l], of.input.weight.perp[l]}},
+              {G, sweep.noise.uniform(block_[i].id, block_[j].id, bits_[of.first + l])}, sweep, in.counts);
+  } catch (PhysicsError const& error) {
+    failure.report(std::min(block_[i].id, block_[j].id), error.what());
+  }
+}
+
 /// Eq. (S22), (S23), one matching after the other.
 template <class Law>
 void BlockSweep::step_pairs(Law const& law, Inputs const& in, Failure& failure) {
@@ -124,11 +191,14 @@ void BlockSweep::step_pairs(Law const& law, Inputs const& in, Failure& failure) 
             weight, {at.x * at.inverse_r, at.y * at.inverse_r, at.z * at.inverse_r}, {G(0), G(1), G(2)});
         VectorLanes<Lanes> const v{a.p_x - b.p_x, a.p_y - b.p_y, a.p_z - b.p_z};
         auto const bath = bath_of(law, in, a, b, at, failure);
-        auto const dv = velocity_change(steps_of(law, bath, weight, in.time), input, v);
+        auto const step = step_in(bath, law, weight, in.time);
+        auto const dv = velocity_change(step, input, v);
         Lanes const heat =
             -0.125 * dot(dv, VectorLanes<Lanes>{2.0 * v.x + dv.x, 2.0 * v.y + dv.y, 2.0 * v.z + dv.z});
         auto const changes = to_rows({0.5 * dv.x, 0.5 * dv.y, 0.5 * dv.z, heat});
-        for (std::size_t l = 0; l < count; ++l) {
+        for (unsigned made = judge<Law>(law, in, {begin, a, b, at, input, step, v, dv, heat}, failure);
+             made != 0; made &= made - 1) {
+          auto const l = static_cast<std::size_t>(std::countr_zero(made));
           Vec3 const dp{changes[l][0], changes[l][1], changes[l][2]};
           states_[i[l]].p += dp, states_[j[l]].p -= dp;
           states_[i[l]].u += changes[l][3], states_[j[l]].u += changes[l][3];

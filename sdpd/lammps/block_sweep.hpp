@@ -1,17 +1,21 @@
 #pragma once
 #include "md/box.hpp"
-#include "sdpd/fluctuation/fluctuating_block.hpp"
+#include "sdpd/fluctuation/exact_pair.hpp"
 #include "sdpd/fluctuation/pair_lanes.hpp"
 #include "sdpd/lammps/rank_pairs.hpp"
 #include "sdpd/method/parts.hpp"
 #include "sdpd/simd/lanes.hpp"
+#include <optional>
 
 namespace mesobridge::sdpd {
 
-/// Pairs one after the other (SSA) on many ranks (sdpd/README.md, Eq. (S98)): the box is cut into cells, each
-/// parity of cells begins blocks of two by two by two that share none, and all pairs of a block are worked on
-/// by the rank in whose part of the box its middle lies, in an order that cells and ids decide. So eight
-/// phases step every pair once, in the same order on any number of ranks.
+/// How pairs that an integrator of this name steps one after the other go on; none for other integrators.
+std::optional<PairScheme> scheme_in_turn(std::string_view integrator);
+
+/// Pairs one after the other (SSA, AMS, EMS) on many ranks (sdpd/README.md, Eq. (S98)): the box is cut into
+/// cells, each parity of cells begins blocks of two by two by two that share none, and all pairs of a block
+/// are worked on by the rank in whose part of the box its middle lies, in an order that cells and ids decide.
+/// So eight phases step every pair once, in the same order on any number of ranks.
 class BlockSweep {
  public:
   /// Needs four cells at least along each axis: see fits().
@@ -28,6 +32,8 @@ class BlockSweep {
     GhostExchange& ghosts;
     std::uint64_t seed, step;
     double time; ///< of the pairs' steps
+    PairScheme scheme;
+    PairCounts& counts; ///< of the pairs that this rank steps
   };
   /// Velocities and heat of the own particles after the sweep: rows (v, u).
   template <class Law>
@@ -67,6 +73,26 @@ class BlockSweep {
   template <class Law>
   Bath<Lanes> bath_of(Law const& law, Inputs const& in, ParticleLanes const& a, ParticleLanes const& b,
                       EightPairs const& at, Failure& failure) const;
+  /// Eight pairs of a matching, from its pair `first` on, and the step that is proposed to them.
+  template <class Law>
+  struct Proposed {
+    std::size_t first;
+    ParticleLanes const &a, &b;
+    EightPairs const& at;
+    InputLanes<Law::across, Lanes> const& input;
+    typename Bath<Lanes>::Directions const& step;
+    VectorLanes<Lanes> const &v, &dv;
+    Lanes const& heat;
+  };
+  /// The pairs whose step is made, a bit each. Those that an expansion does not reach are dealt with here,
+  /// and are not among them.
+  template <class Law>
+  unsigned judge(Law const& law, Inputs const& in, Proposed<Law> const& of, Failure& failure);
+  template <class Law>
+  unsigned pass_metropolis(Law const& law, Inputs const& in, Proposed<Law> const& of, unsigned made) const;
+  template <class Law>
+  void step_exactly(Law const& law, Inputs const& in, Proposed<Law> const& of, std::size_t lane,
+                    Failure& failure);
 
   Box box_;
   double range_;
@@ -74,7 +100,7 @@ class BlockSweep {
   Vec3 cell_;
   std::vector<Row> state_, before_;
   std::vector<double> fixed_; ///< rows of Fixed, which a sweep leaves as they are
-  Particles seen_;            ///< rho of all, where an expansion does not reach
+  Particles seen_;            ///< energies and rho of all, where an expansion does not reach
   std::vector<Member> members_;
   // Of some blocks of a phase, so that matchings fill their lanes: particles, cell by cell, and two phantoms;
   // pairs in matchings. Blocks share no particle, so each one's matchings are what they are alone.
@@ -86,6 +112,7 @@ class BlockSweep {
   std::vector<LocalPair> pairs_, ordered_;
   std::vector<std::uint32_t> ends_;
   std::array<std::vector<float>, 3> noise_;
+  std::vector<std::uint32_t> bits_; ///< spare ones of the noise
 };
 
 } // namespace mesobridge::sdpd

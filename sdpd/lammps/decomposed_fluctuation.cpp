@@ -172,7 +172,9 @@ void DecomposedFluid::step_in_turn(Law const& law, RankParticles const& particle
                                    .ghosts = ghosts,
                                    .seed = seed_,
                                    .step = step,
-                                   .time = fluctuate_every_ * dt_},
+                                   .time = fluctuate_every_ * dt_,
+                                   .scheme = scheme_,
+                                   .counts = counts_},
                                   failure);
   stop_at(failure, step);
   heat_.resize(particles.owned);

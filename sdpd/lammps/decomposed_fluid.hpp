@@ -29,6 +29,8 @@ class DecomposedFluid {
   /// How far from its part of the box a rank has to see particles, with the skin.
   double reach() const { return (blocks_ ? std::max(range_, blocks_->reach()) : range_) + skin_; }
   double dt() const { return dt_; }
+  /// Of the pairs that this rank has stepped in turn since it was asked before.
+  PairCounts take_counts() { return std::exchange(counts_, {}); }
 
   /// In the order of RankParticles; whoever moves particles in memory or to other ranks moves these.
   std::vector<Carried> carried;
@@ -73,6 +75,8 @@ class DecomposedFluid {
   std::uint32_t fluctuate_every_;
   std::uint64_t seed_;
   Given given_ = Given::energies;
+  PairScheme scheme_ = PairScheme::ssa; ///< where pairs are stepped in turn
+  PairCounts counts_;
   RankPairs pairs_;       ///< in range at the positions of the forces
   std::vector<Row> rows_; ///< those positions and P/rho^2
   std::vector<double> rho_;

@@ -1,4 +1,5 @@
 #include "sdpd/lammps/lammps_engine.hpp"
+#include "sdpd/lammps/fluid_styles.hpp"
 #include "sdpd/lammps/styles.hpp"
 #include <optional>
 
@@ -75,16 +76,14 @@ struct LammpsEngine::Inside {
     fluid.emplace(settings);
     auto& session = lammps.emplace(world, md::Ranks::all, log_file);
     Vec3 const edge = box_of(settings).edge;
-    for (auto const* const command :
-         {"units lj", "atom_style atomic", "newton on", "atom_modify map array", "boundary p p p"})
+    auto const commands = fluid_commands(*fluid);
+    for (auto const& command : commands.before)
       session.command(command);
     session.command("region box block 0 {} 0 {} 0 {} units box", edge.x, edge.y, edge.z);
     session.command("create_box 1 box");
     session.command("mass 1 1");
-    session.command("timestep {}", settings.dt);
-    session.command("neighbor {} bin", fluid->skin());
-    session.command("comm_modify cutoff {}", fluid->reach());
-    session.command("neigh_modify every 1 delay 0 check yes one 20000 page 400000");
+    for (auto const& command : commands.after)
+      session.command(command);
     styles.emplace(session, *fluid);
     session.command("thermo_style custom step");
     session.command("thermo 0");
@@ -99,8 +98,15 @@ struct LammpsEngine::Inside {
     lammps->command("run 0 post no");
   }
 
-  std::vector<double> run(std::uint64_t steps) {
+  /// All particles, on the first rank; `counts` gains what the pairs of all ranks did.
+  std::vector<double> run(std::uint64_t steps, PairCounts& counts) {
     lammps->command("run {} pre no post no", steps);
+    auto const own = fluid->take_counts();
+    std::array numbers{double(own.proposed), double(own.out_of_domain), double(own.metropolis)};
+    world.add_up(numbers);
+    counts += {.proposed = std::uint64_t(numbers[0]),
+               .out_of_domain = std::uint64_t(numbers[1]),
+               .metropolis = std::uint64_t(numbers[2])};
     return world.gather_at_root(styles->own_rows());
   }
 };
@@ -126,7 +132,8 @@ void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
   inside_->world.root_gives(order.numbers());
   if (!inside_->lammps)
     inside_->begin(order, rows_of(checkpoint.particles));
-  checkpoint.particles = particles_of(inside_->run(steps), inside_->settings.features());
+  checkpoint.particles =
+      particles_of(inside_->run(steps, checkpoint.pair_counts), inside_->settings.features());
   checkpoint.q_at_renewal = checkpoint.particles.q;
   checkpoint.step += steps;
   simulation.begin_from(checkpoint);
@@ -139,7 +146,8 @@ void LammpsEngine::serve() {
       return;
     if (!inside_->lammps)
       inside_->begin(order, {});
-    inside_->run(order.steps);
+    PairCounts of_all;
+    inside_->run(order.steps, of_all);
   }
 }
 

@@ -8,6 +8,7 @@ namespace mesobridge::sdpd {
 /// The noise of sixteen pairs, vectors that point from the smaller id to the larger one.
 struct PairNoiseLanes {
   WideFloats x, y, z;
+  WideBits bits; ///< spare ones, for a Metropolis test
 
   PairNoiseLanes(NoiseLanes const& source, RankParticles const& particles, std::uint32_t const* i,
                  std::uint32_t const* j, PairNoise kind) {
@@ -16,7 +17,7 @@ struct PairNoiseLanes {
     GaussianLanes const G(source, a < b ? a : b, a < b ? b : a);
     auto const plus = constant<WideFloats>(1);
     WideFloats const sign = kind == PairNoise::along || a < b ? plus : -plus;
-    x = sign * G.x, y = sign * G.y, z = sign * G.z;
+    x = sign * G.x, y = sign * G.y, z = sign * G.z, bits = G.bits;
   }
   VectorLanes<Lanes> half(std::size_t from) const {
     auto of = [&](WideFloats const& all) { return to_double(from == 0 ? low_half(all) : high_half(all)); };

@@ -16,8 +16,8 @@ bool has_walls_or_open_faces(SimulationSettings const& s) {
 }
 
 constexpr std::array<Refusal, 11> refusals{{
-    {[](auto const& s) { return s.scheme.pairs != "ser" && s.scheme.pairs != "ssa"; },
-     "scheme.name: the LAMMPS engine has ser, which steps all pairs at once, and ssa"},
+    {[](auto const& s) { return s.scheme.pairs != "ser" && !scheme_in_turn(s.scheme.pairs); },
+     "scheme.name: the LAMMPS engine has ser, which steps all pairs at once, ssa, ams and ems"},
     {[](auto const& s) { return s.scheme.conservative != "verlet"; },
      "scheme.conservative: the LAMMPS engine has verlet alone"},
     {[](auto const& s) { return s.scheme.splitting != Splitting::lie_trotter; },
@@ -29,8 +29,8 @@ constexpr std::array<Refusal, 11> refusals{{
     {[](auto const& s) { return !s.reduced_species().empty(); },
      "species: the LAMMPS engine runs fluids of one species"},
     {[](auto const& s) { return s.conducts(); }, "conduction: not in the LAMMPS engine"},
-    {[](auto const& s) { return s.scheme.pairs == "ssa" && !BlockSweep::fits(box_of(s), s.range()); },
-     "scheme.name = ssa: the LAMMPS engine wants a box of four ranges of the interaction along each axis"},
+    {[](auto const& s) { return scheme_in_turn(s.scheme.pairs) && !BlockSweep::fits(box_of(s), s.range()); },
+     "scheme.name: pairs in turn inside LAMMPS want a box of four ranges of the interaction along each axis"},
     {[](auto const& s) { return s.features().reacts; }, "reaction: not in the LAMMPS engine"},
 }};
 

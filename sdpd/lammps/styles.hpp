@@ -5,6 +5,9 @@
 
 namespace mesobridge::sdpd {
 
+/// Makes both styles known to a session, as `plugin load` does to a LAMMPS that has it.
+void register_fluid_styles(md::LammpsSession& session);
+
 /// A fluid whose particles are the atoms of a LAMMPS session, by a pair style and a fix of ours that are
 /// registered in this process. The session keeps a pointer to the fluid.
 class LammpsStyles {

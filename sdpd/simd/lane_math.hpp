@@ -41,6 +41,25 @@ template <class Integers, class Floats>
   return detail::minus_expm1<WideInts>(x);
 }
 
+/// The same in double precision, to a few units of round-off: the series up to f^13.
+[[gnu::always_inline]] inline Lanes minus_expm1(Lanes const& argument) {
+  constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
+  constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
+  Lanes const most = broadcast(700);                // exp(-700) is nothing beside 1
+  Lanes const x = argument < most ? argument : most;
+  Lanes const n = (x * 1.44269504088896340736 + to_integer) - to_integer;
+  Lanes const f = (n * ln2_high - x) + n * ln2_low;
+  Lanes series = broadcast(1.0 / 6227020800); // 1/13!
+  for (double const inverse_factorial :
+       {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
+        1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5})
+    series = inverse_factorial + f * series;
+  series = f + f * f * series;
+  LongLanes const exponent = (1023 - __builtin_convertvector(n, LongLanes)) << 52;
+  Lanes const power = load<Lanes>(&exponent);
+  return power * series + (power - 1.0);
+}
+
 /// exp(min(x, 0)), to single precision.
 template <class Floats>
 [[gnu::always_inline]] inline Floats exp_up_to_one(Floats const& x) {

@@ -43,6 +43,7 @@ extern Declaration const eos_table_command;
 extern Declaration const new_command;
 extern Declaration const run_command;
 extern Declaration const report_command;
+extern Declaration const lammps_plugin_command;
 extern Declaration const workflow_lj_to_sdpd_command;
 extern Declaration const trade_off_command;
 extern Declaration const workflow_star_polymers_command;
@@ -225,6 +226,10 @@ std::vector<Command> commands() {
        .summary = "The report of a run once more, or the numbers of several runs side by side",
        .example = "mesobridge report out/argon out/argon-K100 -o out/beside",
        .declare = report_command},
+      {.name = "lammps-plugin",
+       .summary = "A run's last state for a LAMMPS of your own, with a plugin: input, data, how to build",
+       .example = "mesobridge lammps-plugin out/argon --steps 100000 -o out/argon-lammps",
+       .declare = lammps_plugin_command},
       {.name = "workflow lj-to-sdpd",
        .summary = "Lennard-Jones MD, equation of state and SDPD in one chain, with a report",
        .example = "mesobridge workflow lj-to-sdpd --preset quick -o out/lj-to-sdpd",

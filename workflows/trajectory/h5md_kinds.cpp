@@ -9,10 +9,11 @@ namespace {
 
 constexpr double rounded = 1e-3; // masses are written with few digits
 
-/// An element with a number for each atom; none if the file has none that `read` can read.
+/// An element with a number for each atom; none if it is not wanted, or the file has none that `read` can
+/// read.
 std::optional<H5mdElement> numbers_of_atoms(Store const& store, std::string const& path, std::size_t atoms,
-                                            TrajectoryReading const& how, auto const& read) {
-  if (!store.contains(path))
+                                            bool wanted, TrajectoryReading const& how, auto const& read) {
+  if (!wanted || !store.contains(path))
     return std::nullopt;
   try {
     H5mdElement element(store, path);
@@ -32,16 +33,12 @@ std::optional<H5mdElement> numbers_of_atoms(Store const& store, std::string cons
 
 H5mdKinds::H5mdKinds(Store const& store, std::string const& group, std::size_t atoms,
                      TrajectoryReading const& how)
-    : how_(how) {
-  if (!how.atoms.empty())
-    species_ =
-        numbers_of_atoms(store, group + "/species", atoms, how,
-                         [](H5mdElement const& element, std::int64_t step) { element.integers(step, {}); });
-  if (!how.atoms.empty() || !how.masses.empty())
-    mass_ = numbers_of_atoms(
-        store, group + "/mass", atoms, how,
-        [](H5mdElement const& element, std::int64_t step) { element.numbers(step, {.above = 0}); });
-}
+    : how_(how),
+      species_(numbers_of_atoms(store, group + "/species", atoms, !how.atoms.empty(), how,
+                                [](H5mdElement const& of, std::int64_t step) { of.integers(step, {}); })),
+      mass_(numbers_of_atoms(
+          store, group + "/mass", atoms, !how.atoms.empty() || !how.masses.empty(), how,
+          [](H5mdElement const& of, std::int64_t step) { of.numbers(step, {.above = 0}); })) {}
 
 void H5mdKinds::check(std::int64_t step, std::span<std::size_t const> order) const {
   if (species_ && species_->has(step))

@@ -30,12 +30,17 @@ struct Sampled {
   }
 };
 
-Sampled sample(PairScheme scheme, double K, double dt, int instants, int between) {
+/// Who works on the pairs: the built-in engine, or blocks of cells as on many ranks.
+enum class By { engine, blocks };
+
+Sampled sample(By by, PairScheme scheme, double K, double dt, int instants, int between) {
   auto settings = ideal_gas(K, dt);
-  settings.disorder = 0.2;
+  settings.disorder = 0.2, settings.lattice = {11, 11, 11}; // four ranges along each axis
   auto const system = make_system(settings);
+  SweepInBlocks in_blocks(*system, settings);
+  auto const sweep = [&] { by == By::engine ? fluctuate(*system, scheme, dt) : in_blocks(scheme, dt); };
   Sampled sampled;
-  at_instants(*system, scheme, dt, instants, between, [&] {
+  at_instants(*system, sweep, instants, between, [&] {
     for (double const eps : system->particles.eps)
       sampled.energies.push_back(eps * K);
     for (auto const& p : system->particles.p)
@@ -48,6 +53,7 @@ Sampled sample(PairScheme scheme, double K, double dt, int instants, int between
 struct Case {
   double K, dt;
   int between;
+  By by;
 };
 
 class MetropolisScheme : public ::testing::TestWithParam<Case> {};
@@ -55,10 +61,10 @@ class MetropolisScheme : public ::testing::TestWithParam<Case> {};
 // The exact laws: eps follows Gamma(C_K/k_B, k_B T), C_K = (3/2)(K-1) k_B (sdpd/README.md, Eq. (S19)),
 // momenta Maxwell's.
 TEST_P(MetropolisScheme, HasTheExactLawsAtAnyTimeStep) {
-  auto const [K, dt, between] = GetParam();
-  auto const sampled = sample(PairScheme::ems, K, dt, 40, between);
+  auto const [K, dt, between, by] = GetParam();
+  auto const sampled = sample(by, PairScheme::ems, K, dt, 30, between);
   double const shape = 1.5 * (K - 1);
-  ASSERT_EQ(sampled.energies.size(), 40000u);
+  ASSERT_EQ(sampled.energies.size(), 30u * 11 * 11 * 11);
   EXPECT_LT(std::abs(sampled.width(shape) - 1), 4 * sampled.width_se(shape)) << sampled.width(shape);
   EXPECT_GT(
       cg::kolmogorov_smirnov_p(sampled.energies, [&](double x) { return gsl_cdf_gamma_P(x, shape, 1); }),
@@ -75,21 +81,28 @@ TEST_P(MetropolisScheme, HasTheExactLawsAtAnyTimeStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, MetropolisScheme,
-                         ::testing::Values(Case{2, 0.3, 20}, Case{5, 1, 10}, Case{10, 1, 10},
-                                           Case{50, 1, 20}),
-                         [](auto const& info) { return "K" + std::to_string(int(info.param.K)); });
+                         ::testing::Values(Case{2, 0.3, 20, By::engine}, Case{5, 1, 10, By::engine},
+                                           Case{10, 1, 10, By::engine}, Case{50, 1, 20, By::engine},
+                                           Case{2, 0.3, 20, By::blocks}, Case{5, 1, 10, By::blocks},
+                                           Case{10, 1, 10, By::blocks}),
+                         [](auto const& info) {
+                           return "K" + std::to_string(int(info.param.K)) +
+                                  (info.param.by == By::blocks ? "InBlocks" : "");
+                         });
 
 // Refusing only what would leave the equation of state is no Metropolis step: at K = 5, dt = 1 an independent
 // code found energies 6.6 % too widely spread.
 TEST(SchemeThatRefusesNegativeEnergies, SpreadsTheEnergiesTooWidely) {
   double const shape = 6;
-  auto const ams = sample(PairScheme::ams, 5, 1, 40, 10);
-  EXPECT_GT(ams.width(shape) - 1, 4 * ams.width_se(shape));
-  EXPECT_NEAR(ams.width(shape), 1.066, 0.03);
-  double const rejected =
-      static_cast<double>(ams.counts.out_of_domain) / static_cast<double>(ams.counts.proposed);
-  EXPECT_GT(rejected, 1e-5);
-  EXPECT_LT(rejected, 2e-4); // 0.005 ... 0.01 % in the thesis
+  for (By const by : {By::engine, By::blocks}) {
+    auto const ams = sample(by, PairScheme::ams, 5, 1, 30, 10);
+    EXPECT_GT(ams.width(shape) - 1, 4 * ams.width_se(shape));
+    EXPECT_NEAR(ams.width(shape), 1.066, 0.03);
+    double const rejected =
+        static_cast<double>(ams.counts.out_of_domain) / static_cast<double>(ams.counts.proposed);
+    EXPECT_GT(rejected, 1e-5);
+    EXPECT_LT(rejected, 2e-4); // 0.005 ... 0.01 % in the thesis
+  }
 }
 
 } // namespace

@@ -113,6 +113,19 @@ TEST(MinusExpm1, IsRightToSinglePrecisionInLanes) {
   EXPECT_EQ(minus_expm1(FloatLanes{})[0], 0);
 }
 
+TEST(MinusExpm1, IsRightToRoundOffInLanes) {
+  int checked = 0;
+  double worst = 0;
+  for (double x = 1e-300; x < 1e6; x *= 1.37, ++checked) {
+    Lanes const at = lanes(x, 1.043), result = minus_expm1(at);
+    for (std::size_t l = 0; l < lane_count; ++l)
+      worst = std::max(worst, std::abs(result[l] / std::expm1(-at[l]) - 1));
+  }
+  EXPECT_GT(checked, 2000);
+  EXPECT_LT(worst, 1e-15);
+  EXPECT_EQ(minus_expm1(Lanes{})[0], 0);
+}
+
 TEST(Logarithm, IsRightToRoundOffInLanes) {
   int checked = 0;
   for (double x = 1e-300; x < 1e300; x *= 1.7, ++checked) {

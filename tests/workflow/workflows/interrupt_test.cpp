@@ -133,9 +133,9 @@ TEST_F(Interrupts, EndEveryLongCommandWithinTwoSeconds) {
 
 /// Those of one state or one file, over in less than a second whatever they are given.
 std::set<std::string> const short_ones{
-    "eos eval",      "eos list",      "eos jwl", "eos cj", "eos profile", "eos znd",
-    "eos explosion", "eos induction", "new",     "check",  "doctor",      "cg transport",
-    "cg exchange",   "cg mapping",    "report",  "schema", "completion",  "man"};
+    "eos eval",      "eos list", "eos jwl",    "eos cj", "eos profile",  "eos znd",     "eos explosion",
+    "eos induction", "new",      "check",      "doctor", "cg transport", "cg exchange", "cg mapping",
+    "report",        "schema",   "completion", "man",    "lammps-plugin"};
 
 TEST_F(Interrupts, EveryCommandOfTheListIsTriedOrShort) {
   std::set<std::string> tried;

@@ -2,6 +2,7 @@
 #include "scratch_directory.hpp"
 #include "workflows/command.hpp"
 #include "workflows/store/store.hpp"
+#include "workflows/text_file.hpp"
 #include <fmt/format.h>
 
 // `mesobridge run --engine lammps`, as its users run it.
@@ -10,6 +11,7 @@ namespace mesobridge::workflows {
 namespace {
 
 using tests::ScratchDirectory;
+namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
@@ -28,9 +30,9 @@ ShortScene argon() {
            "particles.calibration_steps=200"}};
 }
 
-/// With SSA, and N particles.
-ShortScene pairs_in_turn(ShortScene of, char const* N) {
-  of.settings.insert(of.settings.end(), {"scheme.name=ssa", std::string("particles.N=") + N});
+/// N particles whose pairs are stepped one after the other.
+ShortScene pairs_in_turn(ShortScene of, std::string const& N, std::string const& scheme = "ssa") {
+  of.settings.insert(of.settings.end(), {"scheme.name=" + scheme, "particles.N=" + N});
   return of;
 }
 
@@ -75,9 +77,15 @@ void expect_agreement_of_ranks(ShortScene const& of, Words const& series,
     EXPECT_EQ(json["ranks"], ranks);
     EXPECT_TRUE(std::filesystem::exists(scratch / std::to_string(ranks) / "trajectory.h5md"));
   }
-  for (char const* ranks : {"2", "4"})
+  auto const refused = [&](std::string const& ranks) {
+    auto const json = Json::parse(read_text_file(scratch / ranks / "summary.json"));
+    return std::pair(json.value("rejected_out_of_domain", 0.0), json.value("rejected_metropolis", 0.0));
+  };
+  for (char const* ranks : {"2", "4"}) {
+    EXPECT_EQ(refused(ranks), refused("1"));
     for (auto const& name : series)
       EXPECT_LT(apart(scratch / "1", scratch / ranks, name), 1e-11) << ranks << name;
+  }
   EXPECT_EQ(tests::program(words("lammps", 2, scratch / "seed", {"--seed", "7"}, of)).status, 0);
   EXPECT_GT(apart(scratch / "1", scratch / "seed", series.back()), 1e-4);
 }
@@ -102,11 +110,24 @@ TEST(LammpsRun, AgreesInSdpdWithTheConstantsThatTheFirstRankFinds) {
 
 TEST(LammpsRun, StepsPairsInTurnInOneOrderOnAllRanks) {
   ScratchDirectory const scratch;
-  expect_agreement_of_ranks(pairs_in_turn(dpde(), "512"), {"thermodynamics", "particles/eps"},
-                            scratch / "dpde");
-  auto gas = pairs_in_turn(argon(), "1000");
-  gas.settings.push_back("particles.density=plain");
-  expect_agreement_of_ranks(gas, {"thermodynamics", "particles/P", "particles/eps"}, scratch / "argon");
+  for (std::string const scheme : {"ssa", "ems"}) {
+    expect_agreement_of_ranks(pairs_in_turn(dpde(), "512", scheme), {"thermodynamics", "particles/eps"},
+                              scratch / ("dpde-" + scheme));
+    auto gas = pairs_in_turn(argon(), "1000", scheme);
+    gas.settings.push_back("particles.density=plain");
+    expect_agreement_of_ranks(gas, {"thermodynamics", "particles/P", "particles/eps"},
+                              scratch / ("argon-" + scheme));
+  }
+}
+
+// Small particles: some steps are not made, and as many on any number of ranks.
+TEST(LammpsRun, RefusesTheSameStepsOnAllRanks) {
+  ScratchDirectory const scratch;
+  auto small = pairs_in_turn(argon(), "1000", "ems");
+  small.settings.insert(small.settings.end(), {"particles.density=plain", "particles.K=5", "scheme.dt=0.05"});
+  expect_agreement_of_ranks(small, {"thermodynamics", "particles/eps"}, scratch.path());
+  auto const json = Json::parse(read_text_file(scratch / "2" / "summary.json"));
+  EXPECT_GT(json.at("rejected_metropolis").get<double>(), 1e-5) << json.dump(1);
 }
 
 TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
@@ -131,8 +152,8 @@ TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
   auto const directory = (scratch / "a").string();
   std::string const scenes = MESOBRIDGE_SOURCE_DIR "/workflows/scenes/";
   std::vector<tests::Refusal> cases;
-  for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "scheme.name=ems", "scheme.name"),
-                                            {"argon-1000K", "scheme.name=ams", "scheme.name"},
+  for (auto const& [scene, set, message] : {std::tuple("dpde-fluid", "scheme.name=implicit", "scheme.name"),
+                                            {"argon-1000K", "scheme.name=hybrid", "scheme.name"},
                                             {"sdpd-ranks", "transport.kappa=1e-2 W/(m*K)", "conduction"},
                                             {"dpde-fluid", "scheme.splitting=strang", "scheme.splitting"}})
     for (char const* command : {"run", "check"})
@@ -142,6 +163,33 @@ TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
            message});
   EXPECT_EQ(tests::expect_refusals(cases), 8);
   EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+/// Files of the first rank may not grow beyond some size; then they may, and the run goes on.
+TEST(LammpsRun, LosesNothingOnAFullDisk) {
+  ScratchDirectory const scratch;
+  auto const whole = tests::program(words("lammps", 2, scratch / "whole"));
+  ASSERT_EQ(whole.status, 0) << whole.errors;
+  auto const size = fs::file_size(scratch / "whole" / "run.h5");
+  int resumed = 0;
+  for (int const percent : {30, 60, 90}) {
+    auto const directory = scratch / std::to_string(percent);
+    std::string run = MESOBRIDGE_PROGRAM;
+    for (auto const& word : words("lammps", 2, directory))
+      run += " '" + word + "'";
+    // Without the signal, as where the device is full. The limit counts blocks of 512 bytes.
+    auto const limited = fmt::format("trap '' XFSZ; ulimit -f {}; exec {}", size * percent / 100 / 512, run);
+    std::vector<std::string> const shell{"sh", "-c", limited};
+    auto const ended = run_process(shell);
+    EXPECT_EQ(ended.status, 4) << percent << ended.errors;
+    EXPECT_NE(ended.errors.find(directory.string()), std::string::npos) << ended.errors;
+    EXPECT_FALSE(fs::exists(directory / "summary.json"));
+    auto const rest = tests::program(words("lammps", 2, directory, {"--resume"}));
+    ASSERT_EQ(rest.status, 0) << rest.errors;
+    EXPECT_LT(apart(scratch / "whole", directory, "thermodynamics"), 1e-10) << percent;
+    ++resumed;
+  }
+  EXPECT_EQ(resumed, 3);
 }
 
 /// A rank is killed while the others are in the middle of their steps.
