@@ -2,6 +2,7 @@
 #include "sdpd/conservative/conservative.hpp"
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/observe/virials.hpp"
+#include "sdpd/reaction/reaction.hpp"
 #include "sdpd/simulation.hpp"
 #include "sdpd/state/checkpoint.hpp"
 #include "sdpd/system/system.hpp"
@@ -90,12 +91,32 @@ void restore_flow(System& system, std::vector<double> const& of) {
   system.body_work = of[numbers - 2], system.sink_heat = of[numbers - 1];
 }
 
+/// Time of the reaction, and the rates of the last part of a time step where the next one begins with them.
+std::vector<double> reaction_of(System const& system) {
+  if (!system.reaction)
+    return {};
+  std::vector<double> of{system.reaction_time};
+  if (looks_back(*system.reaction))
+    for (std::size_t id = 0; id < system.size(); ++id) {
+      auto const [forward, backward] = id < system.rates.size() ? system.rates[id] : Rates{};
+      of.insert(of.end(), {forward, backward});
+    }
+  return of;
+}
+
 void restore_reaction(System& system, std::vector<double> const& of) {
-  std::size_t const numbers = system.reaction ? 1 : 0;
+  std::size_t const rates = system.reaction && looks_back(*system.reaction) ? system.size() : 0,
+                    numbers = system.reaction ? 1 + 2 * rates : 0;
   require(of.size() == numbers, "numbers of the reaction in the checkpoint", of.size(),
           fmt::format("must be {} as in the scene", numbers));
+  for (double const number : of)
+    require(not_negative.contains(number), "time or rate of the reaction in the checkpoint", number,
+            not_negative.demand());
   if (!of.empty())
     system.reaction_time = of[0];
+  system.rates.resize(rates);
+  for (std::size_t id = 0; id < rates; ++id)
+    system.rates[id] = {of[2 * id + 1], of[2 * id + 2]};
 }
 
 } // namespace
@@ -138,8 +159,7 @@ Checkpoint Simulation::checkpoint() const {
   if (!c.walls.empty())
     c.walls.push_back(system_->wall_time);
   c.flow = flow_of(*system_);
-  if (system_->reaction)
-    c.reaction = {system_->reaction_time};
+  c.reaction = reaction_of(*system_);
   return c;
 }
 

@@ -151,8 +151,9 @@ void add_pairs(System& system, SecondOrder const& law, Kernel const& kernel, dou
         rows);
     SecondOrderRates<Kernel, there_and_back> of_pairs{law, kernel, reactants};
     sum_over_pairs<Add>(rows, neighbours.pairs(block), of_pairs, sums);
-    for_each_member(
-        members, [&](std::size_t local, Index i, Vec3 const&) { Add::give(system.rates[i], sums[local]); });
+    for_each_member(members, [&](std::size_t local, Index i, Vec3 const&) {
+      Add::give(system.rates[system.particles.id[i]], sums[local]);
+    });
   });
 }
 
@@ -160,9 +161,10 @@ void add_pairs(System& system, SecondOrder const& law, Kernel const& kernel, dou
 void add_pair(System& system, SecondOrder const& law, Index i, Index j, double W) {
   auto const& of = system.particles;
   double const T = 0.5 * (of.T[i] + of.T[j]), w = weight_of(of, law.weights, j) * W;
-  system.rates[i].forward += w * law.forward(T) * (1 - of.progress[j]);
+  auto& rates = system.rates[of.id[i]];
+  rates.forward += w * law.forward(T) * (1 - of.progress[j]);
   if (law.back.acts())
-    system.rates[i].backward += w * law.back(T) * of.progress[j];
+    rates.backward += w * law.back(T) * of.progress[j];
 }
 
 template <class Kernel>
@@ -182,7 +184,7 @@ void find_rates(System& system, Law const& law, double) {
   auto const& of = system.particles;
   system.rates.resize(system.size());
   for_each_index(system.size(), system.threads, [&](std::size_t i) {
-    system.rates[i] = law.rates({of.progress[i], of.T[i], of.P[i], of.rho[i]});
+    system.rates[of.id[i]] = law.rates({of.progress[i], of.T[i], of.P[i], of.rho[i]});
   });
 }
 

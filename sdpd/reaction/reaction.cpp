@@ -1,4 +1,5 @@
 #include "sdpd/reaction/reaction.hpp"
+#include "sdpd/conservative/conservative.hpp"
 #include "sdpd/reaction/rates.hpp"
 #include "sdpd/system/sum_over_particles.hpp"
 #include "sdpd/thermodynamics/reacting.hpp"
@@ -10,8 +11,9 @@ constexpr double most_parts = 1e5; ///< of a time step
 
 /// d lambda/dt of particle i.
 double speed(System const& system, std::size_t i) {
-  double const progress = system.particles.progress[i];
-  return system.rates[i].forward * (1 - progress) - system.rates[i].backward * progress;
+  auto const& of = system.particles;
+  auto const [forward, backward] = system.rates[of.id[i]];
+  return forward * (1 - of.progress[i]) - backward * of.progress[i];
 }
 
 /// The largest over the particles of f(i) >= 0.
@@ -45,7 +47,7 @@ void advance(System& system, double h) {
   auto& of = system.particles;
   auto const& start = system.reaction_start;
   for_each_index(system.size(), system.threads, [&](std::size_t i) {
-    auto const [A, B] = system.rates[i];
+    auto const [A, B] = system.rates[of.id[i]];
     double const both = A + B, before = start.progress[i];
     double const after = both > 0 ? before + (A / both - before) * -std::expm1(-both * h) : before;
     of.progress[i] = after;
@@ -85,8 +87,9 @@ void follow(System& system, double change) {
   system.stop_at(failure);
 }
 
+/// The rates of a part at its beginning, and again in its middle where the integrator asks for them.
 template <class Law>
-void react(System& system, Law const& law, double dt) {
+void react_from_the_start(System& system, Law const& law, double dt) {
   for (double left = dt; left > 0;) {
     note_start(system);
     find_rates(system, law, left);
@@ -103,8 +106,48 @@ void react(System& system, Law const& law, double dt) {
   }
 }
 
+/// The rates after half of the time h from the start at those of now.
+void find_rates_in_the_middle(System& system, SecondOrder const& law, double h) {
+  advance(system, 0.5 * h);
+  thermodynamics_from_energy(system);
+  find_rates(system, law, h);
+}
+
+/// One sum over pairs a part: what leads to its middle are the rates in the middle of the part before, where
+/// they are known (sdpd/README.md, Eq. (S100)).
+void react_by_earlier_rates(System& system, SecondOrder const& law, double dt, bool known) {
+  for (double left = dt; left > 0; known = true) {
+    note_start(system);
+    if (!known) {
+      thermodynamics_from_energy(system);
+      find_rates(system, law, left);
+    }
+    double parts = parts_of(system, law, left);
+    find_rates_in_the_middle(system, law, left / parts);
+    if (known)
+      if (double const more = parts_of(system, law, left); more > parts) { // it has become faster
+        parts = more;
+        find_rates_in_the_middle(system, law, left / parts);
+      }
+    double const h = left / parts;
+    advance(system, h);
+    left = parts > 1 ? left - h : 0;
+  }
+}
+
+template <class Law>
+void react(System& system, Law const& law, double dt, bool) {
+  react_from_the_start(system, law, dt);
+}
+void react(System& system, SecondOrder const& law, double dt, bool rates_are_known) {
+  if (looks_back(*system.reaction))
+    react_by_earlier_rates(system, law, dt, rates_are_known);
+  else
+    react_from_the_start(system, law, dt);
+}
+
 /// A front that nobody asks.
-void react(System& system, PrescribedBurn const& law, double) {
+void react(System& system, PrescribedBurn const& law, double, bool) {
   auto& of = system.particles;
   for_each_index(system.size(), system.threads, [&](std::size_t i) {
     double const before = of.progress[i];
@@ -142,13 +185,19 @@ void keep_balances(System& system) {
 
 } // namespace
 
+bool looks_back(Reaction const& reaction) {
+  return std::holds_alternative<SecondOrder>(reaction.kinetics) &&
+         reaction.integrator == RateIntegrator::midpoint;
+}
+
 SubStep reaction(System const&, double dt) {
   using enum Conserved;
   return {.name = "reaction", .conserves = {positions, momenta, energy}, .run = [=](System& system) {
             if (system.walls_held)
               return;
+            bool const known = system.reaction_time > 0;
             system.reaction_time += dt;
-            std::visit([&](auto const& law) { react(system, law, dt); }, system.reaction->kinetics);
+            std::visit([&](auto const& law) { react(system, law, dt, known); }, system.reaction->kinetics);
             keep_balances(system);
           }};
 }

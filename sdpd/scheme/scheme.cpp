@@ -78,8 +78,11 @@ std::vector<SubStep> exchange(Scheme const& scheme, System const& system, double
       steps.push_back(temperatures());
     steps.push_back(wall_friction(system, dt, second));
   }
-  if (system.reaction)
-    steps.insert(steps.end(), {temperatures(), reaction(system, dt)});
+  if (system.reaction) {
+    if (second || !looks_back(*system.reaction))
+      steps.push_back(temperatures());
+    steps.push_back(reaction(system, dt));
+  }
   if (second)
     std::ranges::reverse(steps);
   if (scheme.keep_energy)

@@ -17,7 +17,7 @@ struct Checkpoint {
   /// Where walls have friction or there is a body force: impulse (x, y, z) of the friction and heat of each
   /// wall, the body force's work and the heat of its sink.
   std::vector<double> flow = {};
-  /// Where particles react: the time since the reaction began.
+  /// Where particles react: the time since the reaction began, and both rates by id if they are kept.
   std::vector<double> reaction = {};
 };
 

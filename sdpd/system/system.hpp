@@ -58,7 +58,7 @@ struct System {
   std::vector<double> block_virial; ///< parts of both, kept so that no step allocates
   std::vector<double> block_energy;
   std::vector<double> energy_gain; ///< of the particles since their caloric expansions began, during a sweep
-  std::vector<Rates> rates;        ///< of the reaction, in the part of a time step under way
+  std::vector<Rates> rates;        ///< of the reaction, found last; by id, so that no new order moves them
   ReactionStart reaction_start;
   std::vector<Vec3> impulse; ///< given to the particles by a sweep of SER
 

@@ -9,6 +9,8 @@
 #include "workflows/scene/keys.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <algorithm>
+#include <functional>
+#include <numbers>
 
 namespace mesobridge::workflows {
 namespace {
@@ -68,25 +70,42 @@ TimedFluid settled_fluid(std::string name, sdpd::SimulationSettings const& setti
   return fluid;
 }
 
+/// Whose particles have so many neighbours, within a wider support.
+sdpd::SimulationSettings with_neighbours(sdpd::SimulationSettings fluid, double neighbours) {
+  fluid.as<sdpd::Sdpd>().h_factor = std::cbrt(neighbours / (4 * std::numbers::pi / 3));
+  return fluid;
+}
+
+std::vector<double> ratios(std::vector<double> const& of, std::vector<double> const& to) {
+  std::vector<double> found(of.size());
+  std::ranges::transform(of, to, found.begin(), std::divides());
+  return found;
+}
+
 } // namespace
 
 Json time_detonation(sdpd::SimulationSettings const& ideal_gas, sdpd::SimulationSettings const& all_mixtures,
                      DetonationTiming const& timing) {
+  auto const in_box = detonation_in_box(timing);
+  TimedFluid detonation{"detonation", sdpd::Simulation(in_box.settings)};
+  detonation.simulation.advance(in_box.steps_before);
+  auto const wide = with_neighbours(ideal_gas, detonation.simulation.neighbours());
   std::vector<TimedFluid> fluids;
   fluids.push_back(settled_fluid("ideal gas", ideal_gas));
+  fluids.push_back(settled_fluid("ideal gas, wide", wide));
   fluids.push_back(settled_fluid("all half burnt", all_mixtures));
-  auto const detonation = detonation_in_box(timing);
-  fluids.push_back({"detonation", sdpd::Simulation(detonation.settings)});
-  fluids.back().simulation.advance(detonation.steps_before);
+  fluids.push_back(std::move(detonation));
   for (int repeat = 0; repeat < timing.repeats; ++repeat)
-    for (auto& fluid : fluids) {
+    for (auto& fluid : fluids)
       fluid.times.cost.push_back(fluid.time(timing.steps));
-      fluid.times.ratio.push_back(fluid.times.cost.back() / fluids[0].times.cost.back());
-    }
   Json rows = Json::array();
-  for (auto const& fluid : fluids) {
+  for (auto& fluid : fluids) {
+    fluid.times.ratio = ratios(fluid.times.cost, fluids[0].times.cost);
+    auto const to_wide = ratios(fluid.times.cost, fluids[1].times.cost);
     Json row{{"fluid", fluid.name}, {"n", fluid.simulation.size()}};
     put_times(row, fluid.times);
+    row["ratio_to_wide"] = mean_of_repeats(to_wide);
+    row["ratio_to_wide_se"] = standard_error_of_repeats(to_wide);
     row["neighbours"] = fluid.simulation.neighbours();
     row["mixtures"] = mean_of_repeats(fluid.mixtures);
     rows.push_back(std::move(row));
@@ -95,9 +114,12 @@ Json time_detonation(sdpd::SimulationSettings const& ideal_gas, sdpd::Simulation
 }
 
 std::string detonation_times_text(Json const& rows) {
-  auto text = fmt::format("{} {:>10}\n", times_head("fluid", "times the ideal gas"), "mixtures");
+  auto text = fmt::format("{} {:>22} {:>10}\n", times_head("fluid", "times the ideal gas"),
+                          "times the wide one", "mixtures");
   for (auto const& row : rows)
-    text += fmt::format("{} {:>10.4f}\n", times_line(row, "fluid"), row["mixtures"].get<double>());
+    text += fmt::format("{} {:>12.3f} +- {:.3f} {:>10.4f}\n", times_line(row, "fluid"),
+                        row["ratio_to_wide"].get<double>(), row["ratio_to_wide_se"].get<double>(),
+                        row["mixtures"].get<double>());
   return text;
 }
 

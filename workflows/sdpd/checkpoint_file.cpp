@@ -90,7 +90,13 @@ class Reader {
   std::vector<double> walls() const { return doubles_if_there("walls", 4 * walled_axes() + 1); }
   /// Drag and heat of these walls, where there are any, and the body force's work and sink.
   std::vector<double> flow() const { return doubles_if_there("flow", 8 * walled_axes() + 2); }
-  std::vector<double> reaction() const { return doubles_if_there("reaction", 1); } ///< its time
+  /// Its time, and both rates of every particle where the next step begins with them.
+  std::vector<double> reaction(std::size_t particles) const {
+    auto const shape = store_.contains("reaction") ? store_.shape("reaction") : Store::Shape{1};
+    require_that(shape.size() == 1 && (shape[0] == 1 || shape[0] == 1 + 2 * particles),
+                 "'reaction' is neither its time nor that and two rates for each particle");
+    return doubles_if_there("reaction", shape[0]);
+  }
 
   std::string scene() const { return store_.read_text("scene"); }
   std::vector<InputFile> inputs() const { return read_inputs(store_); }
@@ -199,7 +205,7 @@ StoredCheckpoint read_whole(std::filesystem::path const& file) {
                          .conduction_counts = reader.pair_counts("conduction_counts"),
                          .walls = reader.walls(),
                          .flow = reader.flow(),
-                         .reaction = reader.reaction()},
+                         .reaction = reader.reaction(n)},
           .scene = reader.scene(),
           .inputs = reader.inputs(),
           .equilibration = reader.equilibration(),

@@ -17,7 +17,7 @@ constexpr double text =
 struct Particle {
   double scalars;    ///< fields that are written
   double instants;   ///< of those, the ones that RunFile keeps of single particles
-  double checkpoint; ///< id, q, q_at_renewal, p and the fields that are checkpointed
+  double checkpoint; ///< id, q, q_at_renewal, p, rates and the fields that are checkpointed
   double sample;     ///< columns of `thermodynamics`
   double moments;    ///< columns of `moments`
 };
@@ -29,8 +29,8 @@ double count_fields(sdpd::Features const& has, bool sdpd::Field::*taken) {
 
 Particle particle_of(Scene const& scene) {
   auto const has = scene.features();
-  double const scalars = count_fields(has, &sdpd::Field::written),
-               checkpoint = 10 + count_fields(has, &sdpd::Field::checkpointed);
+  double const scalars = count_fields(has, &sdpd::Field::written), rates = has.reacts ? 2 : 0,
+               checkpoint = 10 + rates + count_fields(has, &sdpd::Field::checkpointed);
   double sample = 2; // step and time
   for (auto const& measured : measured_in_every_run(has))
     sample += static_cast<double>(measured.components.size());
