@@ -6,6 +6,7 @@
 #include "workflows/sdpd/run_health.hpp"
 #include "workflows/sdpd/shortage.hpp"
 #include "workflows/sdpd/start_picture.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/study/dynamics.hpp"
 #include "workflows/study/rounded_dt.hpp"
 #include "workflows/text_file.hpp"
@@ -34,6 +35,9 @@ std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, int th
   if (cost.calibration_seconds > 0)
     text += fmt::format("\n# of that time {} to calibrate the densities",
                         duration_text(cost.calibration_seconds));
+  if (cost.viscosity_seconds > 0)
+    text +=
+        fmt::format("\n# of that time {} for trials of the viscosity", duration_text(cost.viscosity_seconds));
   return text;
 }
 
@@ -82,6 +86,7 @@ Result check(CheckOptions const& options, Context const& context) {
                          {"estimated_time_s", cost.seconds},
                          {"estimated_time_step_study_s", cost.study_seconds},
                          {"estimated_calibration_s", cost.calibration_seconds},
+                         {"estimated_viscosity_trials_s", cost.viscosity_seconds},
                          {"estimated_memory_bytes", cost.bytes},
                          {"estimated_disk_bytes", disk.total()},
                          {"estimated_disk_results_bytes", disk.results},
@@ -91,6 +96,10 @@ Result check(CheckOptions const& options, Context const& context) {
                         (regions.empty() ? "" : fmt::format("\n# {}", fmt::join(regions, "\n# "))) +
                         cost_text(cost, disk, threads),
                 .complaint = ""};
+  if (wants_trials_of_viscosity(scene)) {
+    result.json["eta_plan"] = plan_of_viscosity_trials(scene);
+    result.text += "\n# " + plan_of_viscosity_trials(scene);
+  }
   if (!scene.scheme.dt.automatic)
     put_time_step(result, settings, scene.units);
   else if (scene.scheme.dynamics)

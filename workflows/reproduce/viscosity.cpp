@@ -1,4 +1,5 @@
 #include "sdpd/method/mean_field_viscosity.hpp"
+#include "sdpd/setup/viscosity_wave.hpp"
 #include "workflows/interrupt.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/report/plot.hpp"
@@ -14,7 +15,7 @@ namespace {
 struct Row {
   ViscosityCase of;
   sdpd::MeanFieldViscosity mean_field;
-  std::optional<MeasuredViscosity> found;
+  std::optional<sdpd::MeasuredViscosity> found;
   std::string failure;
 
   bool is_sdpd() const { return of.name == "sdpd"; }
@@ -27,7 +28,7 @@ struct Row {
 /// Reduced. Many relaxation times of the flow, and more for DPD and DPDE, whose steps are cheap. SDPD with
 /// little friction flows as a more viscous fluid, so that less than the 25 of Eq. (S55) will do.
 double time_of(ViscosityCase const& of, md::Preset preset) {
-  double const relaxation = relaxation_time(of.settings), longer = preset == md::Preset::paper ? 10 : 1;
+  double const relaxation = sdpd::relaxation_time(of.settings), longer = preset == md::Preset::paper ? 10 : 1;
   if (of.name != "sdpd")
     return (preset == md::Preset::quick ? 10 : 60 * longer) * relaxation;
   return longer * std::clamp(25 * relaxation, 60.0, 300.0);
@@ -48,7 +49,8 @@ std::vector<ViscosityCase> cases_of(ReproduceOptions const& options) {
 Row measure(ViscosityCase const& of, md::Preset preset) {
   Row row{of, sdpd::mean_field_viscosity(of.settings), std::nullopt, ""};
   try {
-    row.found = measure_viscosity(of.settings, time_of(of, preset), [] { return !interrupt_requested(); });
+    row.found =
+        sdpd::measure_viscosity(of.settings, time_of(of, preset), [] { return !interrupt_requested(); });
   } catch (PhysicsError const& error) {
     row.failure = error.what();
   }

@@ -175,11 +175,23 @@ void resolve_model_paths(Scene& scene, std::filesystem::path const& folder, Plac
 
 namespace {
 
+void check_viscosity(Scene const& scene, Places const& places) {
+  auto const& transport = scene.transport;
+  bool const realised = transport.eta_means == "realised";
+  require_together(!realised || (scene.noise() && scene.scheme.conservative != "none"), places,
+                   "transport.eta_means", transport.eta_means,
+                   "must be \"pair\": without noise or motion trials show no viscosity");
+  if (transport.eta_pairs)
+    require_together(realised, places, "transport.eta_pairs", *transport.eta_pairs,
+                     "allowed with eta_means = \"realised\" only; else it is eta itself");
+}
+
 void check_keys(std::type_identity<sdpd::Sdpd>, Scene const& scene, Places const& places) {
   check_fluid(scene, places);
   check_density(scene, places);
   check_reaction(scene, places);
-  double const limit = 5 * scene.transport.eta / 3;
+  check_viscosity(scene, places);
+  double const limit = 5 * scene.transport.friction() / 3;
   require_together(
       scene.transport.zeta < limit, places, "transport.zeta", scene.transport.zeta,
       fmt::format("must be < 5 eta / 3 = {:.6g}, or the friction coefficient a_ij turns negative", limit));

@@ -112,6 +112,10 @@ struct Scene {
   std::vector<Region> regions; ///< each takes from those before it, and all from the fluid
   struct Transport {
     double eta = 0, zeta = 0, kappa = 0;
+    std::string eta_means = "pair";
+    std::optional<double> eta_pairs; ///< that trials have found for eta_means = "realised"
+
+    double friction() const { return eta_pairs.value_or(eta); } ///< the viscosity of the friction of pairs
     bool operator==(Transport const&) const = default;
   } transport;
   struct Reaction {                     ///< sdpd

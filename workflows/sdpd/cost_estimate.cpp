@@ -1,6 +1,7 @@
 #include "workflows/sdpd/cost_estimate.hpp"
 #include "md/error.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include "workflows/study/driven_dt.hpp"
 #include <array>
@@ -39,6 +40,15 @@ double work_of_calibration(Scene const& scene) {
                                   : 0;
 }
 
+double work_of_viscosity_trials(Scene const& scene) {
+  if (!wants_trials_of_viscosity(scene))
+    return 0;
+  auto settings = settings_of_viscosity_trials(scene, 1);
+  if (scene.scheme.dt.automatic)
+    settings.dt = largest_tried_dt(scene);
+  return sdpd::steps_of_realised_viscosity(settings) * static_cast<double>(settings.particle_count());
+}
+
 } // namespace
 
 CostEstimate estimate_cost(Scene const& scene, int threads) {
@@ -48,10 +58,12 @@ CostEstimate estimate_cost(Scene const& scene, int threads) {
   double const pairs = static_cast<double>(particles_of(scene)) * neighbours / 2;
   double const seconds_per_work = neighbours / 2 * ns_per_pair * 1e-9 / threads;
   double const calibration = seconds_per_work * work_of_calibration(scene),
+               viscosity = seconds_per_work * work_of_viscosity_trials(scene),
                study = seconds_per_work * work_of_study(scene);
   return {.neighbours = neighbours,
-          .seconds = seconds_per_work * work_of(scene) + calibration + study,
+          .seconds = seconds_per_work * work_of(scene) + calibration + viscosity + study,
           .calibration_seconds = calibration,
+          .viscosity_seconds = viscosity,
           .study_seconds = study,
           .bytes = static_cast<double>(particles_of(scene)) * bytes_per_particle +
                    pairs * candidates_per_pair * bytes_per_candidate};

@@ -9,6 +9,7 @@ struct CostEstimate {
   double neighbours;          ///< of a particle, (4 pi/3) (range / mean distance)^3
   double seconds;             ///< in all
   double calibration_seconds; ///< of these, for the constants of the densities
+  double viscosity_seconds;   ///< of these, for trials of the viscosity
   double study_seconds;       ///< and for the study of an automatic time step
   double bytes;               ///< of memory
 };

@@ -15,14 +15,6 @@ namespace {
 /// Of which a calibration runs a part.
 constexpr std::array<std::uint32_t, 3> roomy_lattice{32, 32, 32};
 
-/// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
-Scene fluid_alone(Scene scene) {
-  scene.reaction = {};
-  if (has_layout(scene))
-    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32;
-  return scene;
-}
-
 /// Density and temperature.
 struct CalibratedState {
   double rho, T;
@@ -68,6 +60,13 @@ std::optional<sdpd::ScaleCondition> condition_of(Scene const& scene) {
 }
 
 } // namespace
+
+Scene fluid_alone(Scene scene) {
+  scene.reaction = {};
+  if (has_layout(scene))
+    scene.regions.clear(), scene.box = {}, scene.particles.N = 32 * 32 * 32;
+  return scene;
+}
 
 bool wants_calibration(Scene const& scene) {
   return scene.features().densities && !scene.particles.density_scale && condition_of(scene);

@@ -7,6 +7,9 @@ namespace mesobridge::workflows {
 /// Whether the constants of the densities are still to be found.
 bool wants_calibration(Scene const& scene);
 
+/// [fluid] without the regions in it, unburnt, by which all densities are calibrated.
+Scene fluid_alone(Scene scene);
+
 /// What fixes the scale in the calibration that this scene wants.
 sdpd::ScaleCondition scale_condition_of(Scene const& scene);
 

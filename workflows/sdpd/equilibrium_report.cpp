@@ -13,6 +13,7 @@
 #include "workflows/sdpd/shock.hpp"
 #include "workflows/sdpd/space_time.hpp"
 #include "workflows/sdpd/start_picture.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/text_file.hpp"
 
 namespace mesobridge::workflows {
@@ -68,6 +69,8 @@ Table numbers(RunResult const& run, OutputUnits const& units) {
     table.rows.push_back({pressure, with_error_text(P), "", "", ""});
   if (energies)
     add_energies(table, run, units);
+  if (auto const viscosities = viscosities_text(run.scene, run.summary); !viscosities.empty())
+    table.rows.push_back({"shear viscosity, by trials", viscosities, "", "", ""});
   return table;
 }
 
@@ -144,6 +147,7 @@ Files files_of(std::filesystem::path const& directory) {
       {"trajectory.hdf.series", "the same for ParaView 5.11"},
       {"trajectory.xyz", "the particles for OVITO"},
       {"calibration.json", "how the constants of the densities were found"},
+      {"viscosity.json", "how the friction of pairs was found"},
       {"scene.toml", "the scene as resolved"},
       {"log.txt", "what the run said"}};
   Files files;

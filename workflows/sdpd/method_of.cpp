@@ -151,7 +151,7 @@ sdpd::AnyMethod make(std::type_identity<sdpd::Sdpd>, Scene const& scene) {
                     .kernel = scene.particles.kernel,
                     .density_correction = density_correction_of(scene),
                     .h_factor = scene.particles.h_factor,
-                    .eta = scene.transport.eta,
+                    .eta = scene.transport.friction(),
                     .zeta = scene.transport.zeta,
                     .kappa = scene.transport.kappa,
                     .reaction = reaction_of(scene)};

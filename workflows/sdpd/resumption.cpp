@@ -3,6 +3,7 @@
 #include "workflows/scene/keys.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include <algorithm>
 #include <array>
@@ -51,6 +52,14 @@ std::optional<std::string> text_of(Values const& values, std::string const& key)
   if (found == values.end())
     return std::nullopt;
   return fitting::parse_toml("text = " + found->second, key)["text"].value<std::string>();
+}
+
+/// As resolved scenes have them: with a unit in SI.
+std::optional<double> quantity_of(Values const& values, std::string const& key, Dimension dimension) {
+  auto const found = values.find(key);
+  if (found == values.end() || !found->second.starts_with('"'))
+    return number_of<double>(values, key);
+  return parse_quantity(*text_of(values, key), dimension);
 }
 
 std::int64_t steps_of(Values const& values, std::string const& key) {
@@ -108,6 +117,8 @@ Scene with_findings(Scene scene, Values const& stored) {
     scene.particles.density_scale = number_of<double>(stored, "particles.density_scale");
     scene.particles.density_self = number_of<double>(stored, "particles.density_self");
   }
+  if (wants_trials_of_viscosity(scene))
+    scene.transport.eta_pairs = quantity_of(stored, "transport.eta_pairs", Dimension::viscosity);
   if (scene.run.instant_every == 0 && instants_every(scene.run) != past_instants_every(stored))
     scene.run.instant_every = past_instants_every(stored);
   if (auto const past = past_film_every(stored);

@@ -5,6 +5,7 @@
 #include "sdpd/thermodynamics/particle_eos.hpp"
 #include "workflows/scene/checks.hpp"
 #include "workflows/sdpd/density_constants.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/study/automatic_dt.hpp"
 #include <algorithm>
 
@@ -130,6 +131,8 @@ void check_run(Scene const& scene, int threads) {
       sdpd::check(settings_of(trial.scene, 1));
   if (wants_calibration(scene))
     sdpd::check_calibration(calibrated_settings(scene, threads), scale_condition_of(scene));
+  if (wants_trials_of_viscosity(scene))
+    check_viscosity_trials(scene);
 }
 
 Scene load_run(std::filesystem::path const& file, std::vector<std::string> const& overrides, int threads,

@@ -77,7 +77,7 @@ void RunFolder::write_scene(std::string const& resolved) const {
 
 fs::path RunFolder::back_up() const {
   auto files = results();
-  for (auto const& part : {calibration(), time_step_study(), log(), path_ / "lammps.log"})
+  for (auto const& part : {calibration(), viscosity_trials(), time_step_study(), log(), path_ / "lammps.log"})
     files.push_back(part);
   return set_aside(path_, files);
 }

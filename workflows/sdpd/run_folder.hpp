@@ -15,6 +15,7 @@ class RunFolder {
   std::filesystem::path run_file() const { return path_ / "run.h5"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.h5"; }
   std::filesystem::path calibration() const { return path_ / "calibration.json"; }
+  std::filesystem::path viscosity_trials() const { return path_ / "viscosity.json"; }
   std::filesystem::path time_step_study() const { return path_ / "dt-auto"; }
   std::filesystem::path summary() const { return path_ / "summary.json"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
@@ -25,7 +26,7 @@ class RunFolder {
   bool has_checkpoint() const;
 
   /// All that a run writes and that is there, by name. Parts that serve any run whose scene says the same
-  /// (calibration, study of the time step) are no results.
+  /// (calibration, trials of the viscosity, study of the time step) are no results.
   std::vector<std::filesystem::path> results() const;
   /// Whether a run, finished or not, is among them.
   bool holds_run() const;

@@ -1,7 +1,6 @@
 #include "workflows/sdpd/run_scene.hpp"
 #include "sdpd/observe/runaway.hpp"
 #include "sdpd/setup/equilibration.hpp"
-#include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/energy_of_scene.hpp"
 #include "workflows/sdpd/kept_tolerances.hpp"
 #include "workflows/sdpd/run_checks.hpp"
@@ -11,7 +10,9 @@
 #include "workflows/sdpd/run_outputs.hpp"
 #include "workflows/sdpd/run_summary.hpp"
 #include "workflows/sdpd/run_text.hpp"
+#include "workflows/sdpd/scene_findings.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include "workflows/summary.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
@@ -28,7 +29,8 @@ constexpr std::int64_t particle_steps_between_questions = 100'000;
 class Run {
  public:
   Run(Scene const& scene, RunOptions const& options)
-      : options_(options), folder_(options.directory), scene_(with_density_constants(scene)),
+      : options_(options), folder_(options.directory),
+        fluid_(with_findings_about_fluid(scene, folder_, options)), scene_(fluid_.scene),
         settings_(settings_of(scene_, options.threads)), simulation_(settings_),
         units_(simulation_.units(), scene.units), provenance_{options.command, settings_.seed,
                                                               resolved_toml(scene_), scene_inputs(scene)} {}
@@ -69,43 +71,6 @@ class Run {
     if (made_steps_)
       checkpoint(); // a finished run may be extended
     return finish(work > 0 ? spent.count() / work : 0);
-  }
-
-  /// The scene with the constants of its densities: those that it gives, those of an earlier calibration of
-  /// the same fluid in this folder, or fresh ones.
-  Scene with_density_constants(Scene scene) {
-    auto const file = folder_.calibration();
-    if (options_.past && std::filesystem::exists(file)) {
-      read_calibration();
-      if (!calibration_.is_object() ||
-          calibration_.value("density_scale", 0.0) != scene.particles.density_scale)
-        calibration_ = {}; // damaged, or of another run
-    }
-    if (!wants_calibration(scene))
-      return scene;
-    auto const made_of = calibration_identity(scene);
-    if (!std::filesystem::exists(file) || read_calibration() != made_of) {
-      auto const found = calibrate(scene, options_.threads, [this] { return options_.keep_going(0); });
-      calibration_ = calibration_json(found, OutputUnits(calibrated_settings(scene, 1).units(), scene.units));
-      auto stored = calibration_;
-      stored["made_of"] = made_of;
-      write_summary(file, stored);
-    }
-    scene.particles.density_scale = calibration_["density_scale"];
-    scene.particles.density_self = calibration_["density_self"];
-    return scene;
-  }
-
-  /// Takes what the folder's file says; returns what it was made of.
-  std::string read_calibration() {
-    try {
-      calibration_ = Json::parse(read_text_file(folder_.calibration()));
-      std::string made_of = calibration_.value("made_of", "");
-      calibration_.erase("made_of");
-      return made_of;
-    } catch (Json::exception const&) {
-      return {}; // it is made again
-    }
   }
 
   void begin() {
@@ -258,7 +223,8 @@ class Run {
       result.gained_temperature = sdpd::gained_temperature(sampler, *set);
     }
     result.findings = findings_of(sampler, result, simulation_);
-    result.summary = run_summary(result, simulation_, file, units_, calibration_);
+    result.summary = run_summary(result, simulation_, file, units_, fluid_.densities);
+    put_viscosities(result.summary, scene_, fluid_.viscosity);
     if (set)
       result.summary["set_temperature" + units_.temperature_key + "_se"] =
           set_temperature_error * units_.temperature;
@@ -273,8 +239,8 @@ class Run {
 
   RunOptions const& options_;
   RunFolder folder_;
-  Json calibration_; ///< null unless the constants of the densities were found by this run
-  Scene scene_;
+  SceneFindings fluid_;
+  Scene const& scene_;
   sdpd::SimulationSettings settings_;
   sdpd::Simulation simulation_;
   OutputUnits units_;

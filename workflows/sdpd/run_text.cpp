@@ -1,6 +1,7 @@
 #include "workflows/sdpd/run_text.hpp"
 #include "workflows/report/number_text.hpp"
 #include "workflows/sdpd/run_health.hpp"
+#include "workflows/sdpd/viscosity_of_pairs.hpp"
 #include <fmt/format.h>
 
 namespace mesobridge::workflows {
@@ -106,6 +107,8 @@ std::string run_text(RunResult const& result) {
                           number_text(kept["found_over_wanted_se"].get<double>(), 2),
                           kept["tolerance"].get<std::string>(),
                           kept["fulfilled"].get<bool>() ? "fulfilled" : "not fulfilled");
+  if (auto const viscosities = viscosities_text(scene, result.summary); !viscosities.empty())
+    text += fmt::format("{:<7} {}\n", "eta", viscosities);
   return text + shock_text(result.summary, units, si) + detonation_text(result.summary, units, si) +
          flow_text(result.summary, units, si);
 }

@@ -64,7 +64,23 @@ std::vector<SceneKey> transport_keys() {
           .required()
           .quantity(Dimension::viscosity, positive)
           .of<sdpd::Sdpd>(),
-      transport("zeta", &Scene::Transport::zeta, "bulk viscosity, less than 5 eta / 3")
+      transport(
+          "eta_means", &Scene::Transport::eta_means,
+          "what has this viscosity. pair: the friction of pairs, to which the fluid adds what its moving "
+          "particles and their forces carry, and which the time step takes from; realised: waves of [fluid], "
+          "16 mean distances between particles long. That of the pairs is then found by trial runs of this "
+          "fluid, size, scheme and time step, of at least 1024 particles, and written into the next key; "
+          "refused where the fluid has more with any friction")
+          .choices({"pair", "realised"})
+          .of<sdpd::Sdpd>(),
+      transport(
+          "eta_pairs", &Scene::Transport::eta_pairs,
+          "the viscosity of the friction of pairs; with eta_means = realised. It is not looked for when it "
+          "is there")
+          .quantity(Dimension::viscosity, positive)
+          .of<sdpd::Sdpd>(),
+      transport("zeta", &Scene::Transport::zeta,
+                "bulk viscosity, less than 5 eta / 3, with eta that of the friction of pairs")
           .quantity(Dimension::viscosity, not_negative)
           .of<sdpd::Sdpd>(),
       transport("kappa", &Scene::Transport::kappa,
