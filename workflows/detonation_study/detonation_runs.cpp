@@ -48,11 +48,12 @@ Scene::Region burnt_layer(DetonationCase const& of, fitting::Shock const& detona
   return burnt;
 }
 
-DetonationRow start_of(DetonationCase const& of, Scene const& scene) {
+DetonationRow start_of(DetonationCase const& of, Scene const& scene,
+                       sdpd::SimulationSettings const& settings) {
   return {.K = of.K,
           .Z = of.Z,
           .eta = of.eta,
-          .ramp = scene.box.ramp.value_or(0),
+          .ramp = settings.faces[2][0].motion.ramp, // the scene may leave it to the equation of state
           .spacing = spacing_of(of),
           .particles = scene.particles.N,
           .piston = of.piston,
@@ -62,7 +63,7 @@ DetonationRow start_of(DetonationCase const& of, Scene const& scene) {
 }
 
 DetonationRow row_of(DetonationCase const& of, RunResult const& run, Store const& store) {
-  auto row = start_of(of, run.scene);
+  auto row = start_of(of, run.scene, run.settings);
   auto const theory = detonation_theory(run.settings);
   if (theory)
     row.D_theory = theory->chapman_jouguet.v_S, row.zone_theory = theory->zone_length();
@@ -137,7 +138,10 @@ std::vector<DetonationRow> run_detonations(std::string const& title, std::vector
       title, runs, {.directory = options.directory, .threads = options.threads}, context,
       [&](std::size_t k, RunResult const& run, Store const& store) { return row_of(cases[k], run, store); },
       [&](std::size_t k, std::string const& why) {
-        auto row = start_of(cases[k], runs[k].scene);
+        auto const settings = settings_of(runs[k].scene, 1);
+        auto row = start_of(cases[k], runs[k].scene, settings);
+        if (auto const theory = detonation_theory(settings))
+          row.D_theory = theory->chapman_jouguet.v_S, row.zone_theory = theory->zone_length();
         row.failure = why;
         return row;
       });
