@@ -18,6 +18,8 @@ namespace {
 struct ScenePart {
   std::string name, text, scheme, drift;
   double time; ///< of the longer run, reduced
+
+  friend void PrintTo(ScenePart const& part, std::ostream* out) { *out << part.name; }
 };
 
 std::string fluid_text(std::string const& fluid, std::string const& eos, int K) {
