@@ -67,7 +67,8 @@ std::vector<SceneKey> transport_keys() {
       transport(
           "eta_means", &Scene::Transport::eta_means,
           "what has this viscosity. pair: the friction of pairs, to which the fluid adds what its moving "
-          "particles and their forces carry, and which the time step takes from; realised: waves of [fluid], "
+          "particles and their forces carry, and which the time step takes from; realised: steady waves of "
+          "[fluid], "
           "16 mean distances between particles long. That of the pairs is then found by trial runs of this "
           "fluid, size, scheme and time step, of at least 1024 particles, and written into the next key; "
           "refused where the fluid has more with any friction")
