@@ -24,13 +24,13 @@ inline SdpdReaction& reaction_of(SimulationSettings& settings) {
   return *settings.as<Sdpd>().reaction;
 }
 
-/// The progress of the particles, which must all be alike within single precision, after so many steps.
+/// The progress of the particles, which must all be alike, after so many steps.
 inline double progress_after(SimulationSettings const& settings, int steps) {
   Simulation simulation(settings);
   simulation.advance(static_cast<std::uint64_t>(steps));
   auto const progress = simulation.snapshot().progress;
   for (double const one : progress)
-    EXPECT_NEAR(one, progress.front(), 1e-6);
+    EXPECT_NEAR(one, progress.front(), 1e-12);
   return progress.front();
 }
 
