@@ -35,7 +35,7 @@ Words run_words(std::string const& scene, Words const& settings, int steps, fs::
 }
 
 /// All of the session's atoms after the commands of an input, but for `plugin load`.
-Frame frame_after(fs::path const& folder) {
+md::Frame frame_after(fs::path const& folder) {
   md::MpiWorld const world;
   md::LammpsSession session(world, md::Ranks::own, folder / "log.lammps");
   sdpd::register_fluid_styles(session);
