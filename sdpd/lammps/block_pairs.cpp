@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 // The cells of a sweep, the blocks that they make and the pairs in these.
 
@@ -47,19 +48,31 @@ BlockSweep::Cell BlockSweep::cell_of(double const* q) const {
 }
 
 void BlockSweep::sort_into_cells(RankParticles const& particles) {
-  members_.clear();
+  std::size_t const cells = std::size_t{count_[0]} * count_[1] * count_[2];
+  auto const cell_of_particle = [&](std::size_t i) {
+    return static_cast<std::size_t>(fixed_[fixed_stride * i + cell]);
+  };
+  begins_.assign(cells + 1, 0);
   for (std::size_t i = 0; i < particles.all; ++i)
-    members_.push_back({static_cast<std::uint32_t>(fixed_[fixed_stride * i + cell]), particles.id(i),
-                        static_cast<std::uint32_t>(i)});
-  std::ranges::sort(members_);
-  auto const same = [](Member const& a, Member const& b) { return a.cell == b.cell && a.id == b.id; };
-  members_.erase(std::unique(members_.begin(), members_.end(), same), members_.end());
+    ++begins_[cell_of_particle(i) + 1];
+  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+  counts_.assign(cells, 0);
+  members_.resize(particles.all);
+  for (std::size_t i = 0; i < particles.all; ++i) {
+    auto const at = cell_of_particle(i);
+    members_[begins_[at] + counts_[at]++] = {particles.id(i), static_cast<std::uint32_t>(i)};
+  }
+  for (std::size_t at = 0; at < cells; ++at) {
+    auto const here = std::span(members_).subspan(begins_[at], counts_[at]);
+    std::ranges::sort(here);
+    counts_[at] =
+        static_cast<std::uint32_t>(std::ranges::unique(here, {}, &Member::id).begin() - here.begin());
+  }
 }
 
 std::span<BlockSweep::Member const> BlockSweep::members(Cell const& at) const {
-  auto const [first, last] =
-      std::ranges::equal_range(members_, number(at), {}, [](Member const& of) { return of.cell; });
-  return {first, last};
+  auto const of = number(at);
+  return std::span(members_).subspan(begins_[of], counts_[of]);
 }
 
 /// Along each axis the cells that begin blocks whose middles lie in this rank's part of the box.

@@ -224,6 +224,7 @@ std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failur
   begin<Law>(in);
   sort_into_cells(in.particles);
   auto const blocks = own_blocks(in.particles);
+  auto const owned = in.particles.owned;
   constexpr int width = Law::has_energies ? 4 : 3;
   constexpr std::size_t enough = 500; // particles: their copies stay in the cache
   auto rows = [](std::vector<Row>& of) {
@@ -231,7 +232,7 @@ std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failur
   };
   for (unsigned phase = 0; phase < 8; ++phase) {
     in.ghosts.forward(rows(state_));
-    before_ = state_;
+    before_.assign(state_.begin() + static_cast<std::ptrdiff_t>(owned), state_.end());
     auto const turn = [&](unsigned axis) {
       return std::views::filter(blocks[axis],
                                 [=](std::uint32_t k) { return (k & 1u) == (phase >> axis & 1u); });
@@ -244,10 +245,9 @@ std::vector<Row> const& BlockSweep::run(Law const& law, Inputs const& in, Failur
             step_blocks(law, in, failure);
         }
     step_blocks(law, in, failure);
-    for (std::size_t i = 0; i < in.particles.all; ++i)
-      before_[i] = i < in.particles.owned ? state_[i] : state_[i] - before_[i];
-    in.ghosts.reverse(rows(before_));
-    std::swap(state_, before_);
+    for (std::size_t i = owned; i < in.particles.all; ++i)
+      state_[i] -= before_[i - owned];
+    in.ghosts.reverse(rows(state_));
   }
   return state_;
 }

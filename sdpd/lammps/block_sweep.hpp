@@ -45,7 +45,7 @@ class BlockSweep {
   using Cell = std::array<std::uint32_t, 3>;
   /// A particle in its cell; copies of one particle are no two.
   struct Member {
-    std::uint32_t cell, id, place;
+    std::uint32_t id, place;
     auto operator<=>(Member const&) const = default;
   };
   std::uint32_t number(Cell const& at) const { return (at[2] * count_[1] + at[1]) * count_[0] + at[0]; }
@@ -98,10 +98,11 @@ class BlockSweep {
   double range_;
   Cell count_;
   Vec3 cell_;
-  std::vector<Row> state_, before_;
-  std::vector<double> fixed_; ///< rows of Fixed, which a sweep leaves as they are
-  Particles seen_;            ///< energies and rho of all, where an expansion does not reach
-  std::vector<Member> members_;
+  std::vector<Row> state_, before_;            ///< of all; of the ghosts at the begin of a phase
+  std::vector<double> fixed_;                  ///< rows of Fixed, which a sweep leaves as they are
+  Particles seen_;                             ///< energies and rho of all, where an expansion does not reach
+  std::vector<Member> members_;                ///< cell by cell
+  std::vector<std::uint32_t> begins_, counts_; ///< of each cell's
   // Of some blocks of a phase, so that matchings fill their lanes: particles, cell by cell, and two phantoms;
   // pairs in matchings. Blocks share no particle, so each one's matchings are what they are alone.
   std::vector<Member> block_;

@@ -20,7 +20,7 @@ void add_to_forces(RankParticles const& particles, std::vector<Row> const& sums)
 
 DecomposedFluid::DecomposedFluid(SimulationSettings const& settings)
     : parts_(parts_of(settings)), range_(settings.range()), skin_(skin_of(settings)), dt_(settings.dt),
-      fluctuate_every_(settings.scheme.verlet_steps), seed_(settings.seed) {
+      box_edge_(box_of(settings).edge), fluctuate_every_(settings.scheme.verlet_steps), seed_(settings.seed) {
   if (auto const in_turn = scheme_in_turn(settings.scheme.pairs))
     scheme_ = *in_turn, blocks_.emplace(box_of(settings), range_);
 }

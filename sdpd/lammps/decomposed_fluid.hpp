@@ -29,6 +29,7 @@ class DecomposedFluid {
   /// How far from its part of the box a rank has to see particles, with the skin.
   double reach() const { return (blocks_ ? std::max(range_, blocks_->reach()) : range_) + skin_; }
   double dt() const { return dt_; }
+  Vec3 box_edge() const { return box_edge_; }
   /// Of the pairs that this rank has stepped in turn since it was asked before.
   PairCounts take_counts() { return std::exchange(counts_, {}); }
 
@@ -72,6 +73,7 @@ class DecomposedFluid {
 
   MethodParts parts_;
   double range_, skin_, dt_;
+  Vec3 box_edge_;
   std::uint32_t fluctuate_every_;
   std::uint64_t seed_;
   Given given_ = Given::energies;

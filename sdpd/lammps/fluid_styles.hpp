@@ -18,6 +18,8 @@ inline constexpr char const* fluid_style = "mesobridge";
 /// What the words behind `pair_style mesobridge` mean where no program has given the style its fluid.
 using FluidReader = SimulationSettings (*)(std::vector<std::string> const& words);
 void set_fluid_reader(FluidReader reader);
+/// Throws InputError also where there is no reader.
+SimulationSettings read_fluid(std::vector<std::string> const& words);
 
 /// As LAMMPS makes styles, and deletes them.
 LAMMPS_NS::Pair* make_fluid_pair(LAMMPS_NS::LAMMPS* lammps);

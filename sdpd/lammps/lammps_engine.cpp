@@ -6,31 +6,41 @@
 namespace mesobridge::sdpd {
 namespace {
 
-/// What the first rank tells the others: steps to make, 0 at the end; where the run is, and the constants of
-/// the densities.
+/// What a run finds about its fluid before it begins: constants of the densities, viscosities of the pairs.
+struct Found {
+  DensityCorrection constants = {};
+  double eta = 0, zeta = 0;
+
+  static Found of(SimulationSettings const& settings) {
+    auto const* const sdpd = std::get_if<Sdpd>(&settings.method);
+    return sdpd ? Found{sdpd->density_correction, sdpd->eta, sdpd->zeta} : Found{};
+  }
+  void set(SimulationSettings& settings) const {
+    if (auto* const sdpd = std::get_if<Sdpd>(&settings.method))
+      sdpd->density_correction = constants, sdpd->eta = eta, sdpd->zeta = zeta;
+  }
+};
+
+/// What the first rank tells the others: steps to make, 0 at the end; where the run is, and what it has
+/// found.
 struct Order {
   std::uint64_t steps = 0, first = 0;
-  DensityCorrection constants = {};
+  Found found = {};
 
-  std::array<double, 4> numbers() const {
-    return {static_cast<double>(steps), static_cast<double>(first), constants.scale, constants.self};
+  std::array<double, 6> numbers() const {
+    return {static_cast<double>(steps),
+            static_cast<double>(first),
+            found.constants.scale,
+            found.constants.self,
+            found.eta,
+            found.zeta};
   }
   static Order of(std::vector<double> const& numbers) {
     return {.steps = static_cast<std::uint64_t>(numbers.at(0)),
             .first = static_cast<std::uint64_t>(numbers.at(1)),
-            .constants = {.scale = numbers.at(2), .self = numbers.at(3)}};
+            .found = {{.scale = numbers.at(2), .self = numbers.at(3)}, numbers.at(4), numbers.at(5)}};
   }
 };
-
-DensityCorrection constants_of(SimulationSettings const& settings) {
-  auto const* const sdpd = std::get_if<Sdpd>(&settings.method);
-  return sdpd ? sdpd->density_correction : DensityCorrection{};
-}
-
-void set_constants(SimulationSettings& settings, DensityCorrection const& constants) {
-  if (auto* const sdpd = std::get_if<Sdpd>(&settings.method))
-    sdpd->density_correction = constants;
-}
 
 /// All of the particles as rows, as LammpsStyles::own_rows() gives those of a rank.
 std::vector<double> rows_of(Particles const& particles) {
@@ -91,7 +101,7 @@ struct LammpsEngine::Inside {
 
   /// The particles, which the first rank has, and the forces on them.
   void begin(Order const& order, std::vector<double> const& rows) {
-    set_constants(settings, order.constants);
+    order.found.set(settings);
     prepare();
     styles->create(particles_of(world.root_gives(rows), settings.features()));
     lammps->command("reset_timestep {}", order.first);
@@ -123,12 +133,12 @@ LammpsEngine::~LammpsEngine() {
 }
 
 void LammpsEngine::settle(SimulationSettings const& settings) {
-  set_constants(inside_->settings, constants_of(settings));
+  Found::of(settings).set(inside_->settings);
 }
 
 void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
   auto checkpoint = simulation.checkpoint();
-  Order const order{.steps = steps, .first = checkpoint.step, .constants = constants_of(inside_->settings)};
+  Order const order{.steps = steps, .first = checkpoint.step, .found = Found::of(inside_->settings)};
   inside_->world.root_gives(order.numbers());
   if (!inside_->lammps)
     inside_->begin(order, rows_of(checkpoint.particles));

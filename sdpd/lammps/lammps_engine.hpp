@@ -24,8 +24,8 @@ class LammpsEngine {
   LammpsEngine(LammpsEngine const&) = delete;
   LammpsEngine& operator=(LammpsEngine const&) = delete;
 
-  /// On the first rank, before its first step: takes the constants of the densities from the settings that
-  /// the run has come to; the other ranks need not know them.
+  /// On the first rank, before its first step: takes constants of the densities and viscosities of the pairs
+  /// from the settings that the run has come to; the other ranks need not know them.
   void settle(SimulationSettings const& settings);
 
   /// On the first rank. The first call begins where the simulation is; later ones go on from the state that

@@ -40,7 +40,7 @@ void declare(CLI::App& app, LammpsPluginOptions& options) {
   app.add_option("RUN", options.run, "Folder of a run, whose last checkpoint LAMMPS goes on from")
       ->required();
   app.add_option("--steps", options.steps, "Steps that the input runs")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40).description(""))
+      ->check(CLI::Range(std::int64_t{1}, (std::int64_t{1} << 31) - 1).description(""))
       ->type_name("NUMBER");
 }
 

@@ -6,12 +6,31 @@
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
+#include <algorithm>
 #include <fmt/ranges.h>
+#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A resolved scene in which one key, "section.name", has another text.
+std::string with_value(std::string const& resolved, std::string const& key, std::string const& value) {
+  std::istringstream lines(resolved);
+  std::string text, section;
+  bool found = false;
+  for (std::string line; std::getline(lines, line); text += line + "\n") {
+    if (line.starts_with('['))
+      section = line.substr(1, line.find(']') - 1) + ".";
+    else if (auto const equals = line.find(" = ");
+             equals != line.npos && section + line.substr(0, equals) == key)
+      line = line.substr(0, equals) + " = \"" + value + "\"", found = true;
+  }
+  if (!found)
+    throw std::logic_error("a resolved scene does not say its file " + key);
+  return text;
+}
 
 /// The scene as it was resolved, with the files that it names beside it.
 void write_fluid(fs::path const& folder, Scene const& scene, std::string text) {
@@ -20,9 +39,7 @@ void write_fluid(fs::path const& folder, Scene const& scene, std::string text) {
     std::ranges::replace(name, '.', '-');
     name += path.extension().string();
     fs::copy_file(path, folder / name, fs::copy_options::overwrite_existing);
-    auto const old = '"' + path.string() + '"';
-    for (std::size_t at = 0; (at = text.find(old, at)) != text.npos; at += name.size() + 2)
-      text.replace(at, old.size(), '"' + name + '"');
+    text = with_value(text, key, name);
   }
   write_text_file(folder / "fluid.toml", text);
 }

@@ -116,7 +116,7 @@ std::string plan_of_viscosity_trials(Scene const& scene) {
                   "distances between particles have eta; motion and friction alone make {:.3g}{} at least",
                   settings.particle_count(), lattice[2], least, unit);
   if (scene.transport.eta < least)
-    text += fmt::format(", more than the {:g}{} that are asked for: the run will refuse them",
+    text += fmt::format(", more than the {:g}{} that are asked for: the run may refuse them",
                         scene.transport.eta, unit);
   return text;
 }

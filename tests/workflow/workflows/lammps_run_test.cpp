@@ -168,14 +168,14 @@ TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
 /// Files of the first rank may not grow beyond some size; then they may, and the run goes on.
 TEST(LammpsRun, LosesNothingOnAFullDisk) {
   ScratchDirectory const scratch;
-  auto const whole = tests::program(words("lammps", 2, scratch / "whole"));
+  auto const whole = tests::program(words("lammps", 1, scratch / "whole"));
   ASSERT_EQ(whole.status, 0) << whole.errors;
   auto const size = fs::file_size(scratch / "whole" / "run.h5");
   int resumed = 0;
   for (int const percent : {30, 60, 90}) {
     auto const directory = scratch / std::to_string(percent);
     std::string run = MESOBRIDGE_PROGRAM;
-    for (auto const& word : words("lammps", 2, directory))
+    for (auto const& word : words("lammps", 1, directory))
       run += " '" + word + "'";
     // Without the signal, as where the device is full. The limit counts blocks of 512 bytes.
     auto const limited = fmt::format("trap '' XFSZ; ulimit -f {}; exec {}", size * percent / 100 / 512, run);
@@ -184,7 +184,7 @@ TEST(LammpsRun, LosesNothingOnAFullDisk) {
     EXPECT_EQ(ended.status, 4) << percent << ended.errors;
     EXPECT_NE(ended.errors.find(directory.string()), std::string::npos) << ended.errors;
     EXPECT_FALSE(fs::exists(directory / "summary.json"));
-    auto const rest = tests::program(words("lammps", 2, directory, {"--resume"}));
+    auto const rest = tests::program(words("lammps", 1, directory, {"--resume"}));
     ASSERT_EQ(rest.status, 0) << rest.errors;
     EXPECT_LT(apart(scratch / "whole", directory, "thermodynamics"), 1e-10) << percent;
     ++resumed;

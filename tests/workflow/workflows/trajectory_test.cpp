@@ -229,8 +229,9 @@ TEST(Trajectory, CutoffsThatReachTooManyImagesAreRefusedAtOnce) {
     EXPECT_EQ(result.status, 2) << wide;
     EXPECT_NE(result.errors.find("melt.settings"), std::string::npos) << result.errors;
     EXPECT_NE(result.errors.find("images of its 108 atoms"), std::string::npos) << result.errors;
-    auto const melt = run_process({MESOBRIDGE_PROGRAM, "md", "molecules", (scratch / "melt.data").string(),
-                                   (scratch / "melt.settings").string(), "-o", (scratch / "md").string()});
+    auto const melt =
+        run_process({MESOBRIDGE_PROGRAM, "md", "molecules", (scratch / "melt.data").string(), "--settings",
+                     (scratch / "melt.settings").string(), "-o", (scratch / "md").string()});
     EXPECT_EQ(melt.status, 2) << wide;
     EXPECT_NE(melt.errors.find("images of its 108 atoms"), std::string::npos) << melt.errors;
     ++refused;
