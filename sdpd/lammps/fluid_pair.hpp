@@ -1,6 +1,8 @@
 #pragma once
 #include "md/lammps_headers.hpp"
 #include "sdpd/lammps/fluid_styles.hpp"
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -82,10 +84,8 @@ class FluidPair final : public LAMMPS_NS::Pair {
   }
   void compute(int eflag, int vflag) override {
     ev_init(eflag, vflag);
-    if (eflag_either || vflag_either)
-      error->all(FLERR,
-                 std::string("pair style mesobridge tells neither potential energy nor virial: ask for "
-                             "no pe, press, stress or etotal"));
+    if (shared->by_input) // potential energy and virial are not told: who asks for them must see it
+      eng_vdwl = std::nan(""), std::fill_n(virial, 6, std::nan(""));
     if (!shared->ghosts)
       error->all(FLERR, std::string("pair style mesobridge needs `fix ID all mesobridge` behind it"));
     shared->guarded(

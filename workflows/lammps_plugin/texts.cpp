@@ -40,7 +40,7 @@ built from the sources of mesobridge against those of that LAMMPS, by the same c
 
 `fix ID all mesobridge` moves the particles. Its scalar is the sum of their internal energies, its columns are each one's energy and
 temperature; LAMMPS's restart files hold both, and so go on with the same `pair_style` and `fix`. Box, timestep and masses must be
-those of the fluid's scene; `pe` and `press` are not told. Noise is a function of the seed, the step and the two ids: keep `reset_timestep`.
+those of the fluid's scene; `pe` and `press` are not told: they are nan. Noise is a function of the seed, the step and the two ids: keep `reset_timestep`.
 
 All numbers are reduced; one unit is
 
