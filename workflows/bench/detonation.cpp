@@ -9,6 +9,7 @@
 #include "workflows/scene/keys.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -70,9 +71,12 @@ TimedFluid settled_fluid(std::string name, sdpd::SimulationSettings const& setti
   return fluid;
 }
 
-/// Whose particles have so many neighbours, within a wider support.
+/// Whose particles have so many neighbours, within a wider support, for which the box has to be wide enough.
 sdpd::SimulationSettings with_neighbours(sdpd::SimulationSettings fluid, double neighbours) {
   fluid.as<sdpd::Sdpd>().h_factor = std::cbrt(neighbours / (4 * std::numbers::pi / 3));
+  auto const least = static_cast<std::uint32_t>(std::ceil(2 * (fluid.range() + skin_of(fluid))));
+  for (auto& along : fluid.lattice)
+    along = std::max(along, least);
   return fluid;
 }
 

@@ -106,11 +106,12 @@ TEST(BenchEngine, TimesADetonationBesideTheIdealGas) {
                                       "--steps", "2", "--repeats", "3", "--threads", "1", "--json"});
   ASSERT_EQ(result.status, 0) << result.errors;
   auto const rows = Json::parse(result.output)["fluids"];
-  ASSERT_EQ(rows.size(), 3u);
+  ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0]["ratio"], 1.0);
   EXPECT_EQ(rows[0]["mixtures"], 0.0);
-  EXPECT_GT(rows[1]["mixtures"].get<double>(), 0.99);
-  double const zone = rows[2]["mixtures"]; // behind unburnt particles, before the burnt ones of the beginning
+  EXPECT_GT(rows[1]["neighbours"].get<double>(), rows[0]["neighbours"].get<double>() + 5);
+  EXPECT_GT(rows[2]["mixtures"].get<double>(), 0.99);
+  double const zone = rows[3]["mixtures"]; // behind unburnt particles, before the burnt ones of the beginning
   EXPECT_GT(zone, 0.05);
   EXPECT_LT(zone, 0.7);
   for (auto const& row : rows)
