@@ -1,5 +1,6 @@
 #include "cg/viscosity.hpp"
 #include "error_text.hpp"
+#include "physics/sdpd/motion_series.hpp"
 #include "sdpd/kernel/list.hpp"
 #include "sdpd/setup/equilibration.hpp"
 #include "sdpd/setup/realised_viscosity.hpp"
@@ -53,15 +54,7 @@ cg::Viscosity by_currents(SimulationSettings settings, double eta_pairs, double 
   equilibrate(simulation, static_cast<std::uint64_t>(60 / settings.dt), go_on);
   auto const between = static_cast<std::uint64_t>(std::max(1.0, std::floor(0.08 * relaxation / settings.dt)));
   auto const frames = static_cast<int>(relaxations * relaxation / (settings.dt * double(between)));
-  cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1};
-  for (int frame = 0; frame < frames; ++frame) {
-    simulation.advance(between);
-    auto const now = simulation.snapshot();
-    series.times.push_back(settings.dt * double(between) * frame), series.boxes.push_back(simulation.box());
-    series.R.insert(series.R.end(), now.q.begin(), now.q.end());
-    series.P.insert(series.P.end(), now.p.begin(), now.p.end());
-  }
-  return cg::viscosity(series);
+  return cg::viscosity(motion_from_here(simulation, frames, between, settings.dt));
 }
 
 // So viscous a gas loses a seventh of its viscosity to the time step: with the friction that was asked for a

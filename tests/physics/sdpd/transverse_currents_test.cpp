@@ -1,6 +1,6 @@
 #include "cg/viscosity.hpp"
 #include "pair_fluid_fixtures.hpp"
-#include "sdpd/simulation.hpp"
+#include "physics/sdpd/motion_series.hpp"
 #include <gtest/gtest.h>
 
 namespace mesobridge::sdpd {
@@ -10,15 +10,7 @@ namespace {
 cg::BlobSeries motion_of(SimulationSettings const& settings, int frames, std::uint64_t between) {
   Simulation simulation(settings);
   simulation.advance(600);
-  cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1};
-  for (int frame = 0; frame < frames; ++frame) {
-    simulation.advance(between);
-    auto const now = simulation.snapshot();
-    series.times.push_back(settings.dt * double(between) * frame), series.boxes.push_back(simulation.box());
-    series.R.insert(series.R.end(), now.q.begin(), now.q.end());
-    series.P.insert(series.P.end(), now.p.begin(), now.p.end());
-  }
-  return series;
+  return motion_from_here(simulation, frames, between, settings.dt);
 }
 
 // The DPD fluid of Groot and Warren at steps of 0.02: 0.810(6) by waves of force, sdpd/README.md, Eq. (S54),
