@@ -21,6 +21,13 @@ void finalise_at_exit() {
     MPI_Finalize();
 }
 
+/// Where each of several parts begins that lie one behind the other.
+std::vector<int> begins_of(std::vector<int> const& counts) {
+  std::vector<int> begins(counts.size(), 0);
+  std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+  return begins;
+}
+
 } // namespace
 
 MpiWorld::MpiWorld() {
@@ -86,12 +93,7 @@ std::vector<double> MpiWorld::exchange(std::vector<std::vector<double>> const& t
     outgoing.insert(outgoing.end(), to_each[rank].begin(), to_each[rank].end());
   }
   MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  auto const starts = [](std::vector<int> const& counts) {
-    std::vector<int> result(counts.size(), 0);
-    std::partial_sum(counts.begin(), counts.end() - 1, result.begin() + 1);
-    return result;
-  };
-  auto const out_starts = starts(out), in_starts = starts(in);
+  auto const out_starts = begins_of(out), in_starts = begins_of(in);
   std::vector<double> incoming(std::size_t(in_starts.back() + in.back()));
   MPI_Alltoallv(outgoing.data(), out.data(), out_starts.data(), MPI_DOUBLE, incoming.data(), in.data(),
                 in_starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
@@ -99,9 +101,16 @@ std::vector<double> MpiWorld::exchange(std::vector<std::vector<double>> const& t
 }
 
 std::vector<double> MpiWorld::gather_at_root(std::span<double const> numbers) const {
-  std::vector<std::vector<double>> to_each(std::size_t(size_), std::vector<double>{});
-  to_each[0].assign(numbers.begin(), numbers.end());
-  return exchange(to_each);
+  if (size_ == 1)
+    return {numbers.begin(), numbers.end()};
+  int const own = int(numbers.size());
+  std::vector<int> counts(is_root() ? std::size_t(size_) : 0);
+  MPI_Gather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  auto const begins = begins_of(counts);
+  std::vector<double> all(is_root() ? std::size_t(begins.back() + counts.back()) : 0);
+  MPI_Gatherv(numbers.data(), own, MPI_DOUBLE, all.data(), counts.data(), begins.data(), MPI_DOUBLE, 0,
+              MPI_COMM_WORLD);
+  return all;
 }
 
 void MpiWorld::add_up(std::span<double> numbers) const {

@@ -1,7 +1,9 @@
 #include "sdpd/lammps/lammps_engine.hpp"
 #include "sdpd/lammps/fluid_styles.hpp"
 #include "sdpd/lammps/styles.hpp"
+#include <chrono>
 #include <optional>
+#include <utility>
 
 namespace mesobridge::sdpd {
 namespace {
@@ -55,11 +57,13 @@ std::vector<double> rows_of(Particles const& particles) {
   return rows;
 }
 
-/// The other way round, in the order of the ids, which are 0 ... n-1.
+/// The other way round, in the order of the ids, which are 0 ... n-1: what a checkpoint holds, no more.
 Particles particles_of(std::vector<double> const& rows, Features const& features) {
   std::size_t const width = LammpsStyles::numbers_per_particle, n = rows.size() / width;
   Particles particles;
-  particles.resize(n, features);
+  particles.id.resize(n), particles.q.resize(n), particles.p.resize(n);
+  for (auto const& field : fields)
+    (particles.*field.values).resize(field.checkpointed && features.*field.feature ? n : 0);
   for (std::size_t k = 0; k < n; ++k) {
     double const* const row = &rows[width * k];
     auto const i = static_cast<std::size_t>(row[0]);
@@ -80,6 +84,8 @@ struct LammpsEngine::Inside {
   std::optional<DecomposedFluid> fluid = {};    ///< these three from the first step on
   std::optional<md::LammpsSession> lammps = {}; ///< until then the ranks wait without load
   std::optional<LammpsStyles> styles = {};
+  bool has_forces = false;
+  std::chrono::duration<double> in_steps{};
 
   /// A box with the styles and without atoms.
   void prepare() {
@@ -99,18 +105,22 @@ struct LammpsEngine::Inside {
     session.command("thermo 0");
   }
 
-  /// The particles, which the first rank has, and the forces on them.
+  /// The particles, which the first rank has.
   void begin(Order const& order, std::vector<double> const& rows) {
     order.found.set(settings);
     prepare();
     styles->create(particles_of(world.root_gives(rows), settings.features()));
     lammps->command("reset_timestep {}", order.first);
-    lammps->command("run 0 post no");
+    has_forces = false;
   }
 
   /// All particles, on the first rank; `counts` gains what the pairs of all ranks did.
   std::vector<double> run(std::uint64_t steps, PairCounts& counts) {
+    if (!std::exchange(has_forces, true))
+      lammps->command("run 0 post no");
+    auto const start = std::chrono::steady_clock::now();
     lammps->command("run {} pre no post no", steps);
+    in_steps += std::chrono::steady_clock::now() - start;
     auto const own = fluid->take_counts();
     std::array numbers{double(own.proposed), double(own.out_of_domain), double(own.metropolis)};
     world.add_up(numbers);
@@ -142,11 +152,16 @@ void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
   inside_->world.root_gives(order.numbers());
   if (!inside_->lammps)
     inside_->begin(order, rows_of(checkpoint.particles));
+  checkpoint.particles = {}, checkpoint.q_at_renewal = {}; // large fluids leave no memory for a second copy
   checkpoint.particles =
       particles_of(inside_->run(steps, checkpoint.pair_counts), inside_->settings.features());
   checkpoint.q_at_renewal = checkpoint.particles.q;
   checkpoint.step += steps;
   simulation.begin_from(checkpoint);
+}
+
+double LammpsEngine::seconds_in_steps() const {
+  return inside_->in_steps.count();
 }
 
 void LammpsEngine::serve() {

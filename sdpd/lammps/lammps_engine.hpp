@@ -33,6 +33,9 @@ class LammpsEngine {
   /// md::LammpsError.
   void advance(Simulation& simulation, std::uint64_t steps);
 
+  /// Time on the wall that steps have taken so far, without what brings the particles to the ranks and back.
+  double seconds_in_steps() const;
+
   /// On the other ranks: takes part in the first one's steps until it ends.
   void serve();
 

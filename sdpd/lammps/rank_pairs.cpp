@@ -19,8 +19,12 @@ void RankPairs::find(RankParticles const& particles, std::span<Row const> rows, 
   std::size_t most = wide_count;
   for (std::size_t k = 0; k < list.first_count; ++k)
     most += static_cast<std::size_t>(list.neighbour_count[list.first[k]]);
-  if (j_.size() < most)
-    i_.resize(most + most / 8), j_.resize(most + most / 8);
+  if (room_ < most) {
+    room_ = most + most / 8;
+    i_ = {}, j_ = {};
+    i_ = std::make_unique_for_overwrite<std::uint32_t[]>(room_);
+    j_ = std::make_unique_for_overwrite<std::uint32_t[]>(room_);
+  }
   double const range2 = range * range;
   std::size_t count = 0;
   for (std::size_t k = 0; k < list.first_count; ++k) {

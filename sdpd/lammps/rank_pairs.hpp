@@ -2,6 +2,7 @@
 #include "sdpd/friction/bath.hpp"
 #include "sdpd/lammps/rank_particles.hpp"
 #include "sdpd/simd/wide_lanes.hpp"
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,11 @@ class RankPairs {
   }
 
  private:
-  std::vector<std::uint32_t> i_, j_; ///< with room for a last group
-  std::size_t count_ = 0;
+  /// Without values until pairs are found: pages that no pair reaches take no memory.
+  using Numbers = std::unique_ptr<std::uint32_t[]>;
+  Numbers i_, j_;         ///< with room for a last group
+  std::size_t room_ = 0;  ///< of each
+  std::size_t count_ = 0; ///< in use
 };
 
 /// Whether eight pairs, the numbers of whose first particles these are, have one first particle.

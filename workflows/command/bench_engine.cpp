@@ -3,6 +3,7 @@
 #include "sdpd/simulation.hpp"
 #include "workflows/bench/detonation.hpp"
 #include "workflows/bench/faces.hpp"
+#include "workflows/bench/ranks.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/shared_options.hpp"
@@ -17,7 +18,7 @@ struct BenchEngineOptions {
   std::string method = "sdpd", scheme = "ssa", eos = "ideal-gas", kernel = Scene().particles.kernel;
   double neighbours = 62;
   std::uint32_t side = 22, along = 0, fluctuate_every = 1;
-  bool faces = false, detonation = false;
+  bool faces = false, detonation = false, on_ranks = false;
   double K = 100, kappa = 0, progress = 0.5;
   int steps = 20, repeats = 5;
 };
@@ -123,12 +124,24 @@ Result run_detonation(BenchEngineOptions options, int threads) {
           .text = detonation_times_text(rows)};
 }
 
+/// What a step costs inside LAMMPS.
+Result run_on_ranks_too(BenchEngineOptions const& options, int threads, Context const& context) {
+  Result result;
+  sdpd::for_method(options.method, [&](auto type) {
+    result = time_on_ranks(make(type, options, threads), {.steps = options.steps, .repeats = options.repeats},
+                           context);
+  });
+  return result;
+}
+
 Result run(BenchEngineOptions const& options, Context const& context) {
   int const threads = context.options.threads.value_or(1);
   if (options.faces)
     return run_faces(options, threads);
   if (options.detonation)
     return run_detonation(options, threads);
+  if (options.on_ranks)
+    return run_on_ranks_too(options, threads, context);
   bool const densities = sdpd::method_named(options.method).features.densities;
   std::optional<sdpd::Simulation> made;
   sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
@@ -191,6 +204,9 @@ void declare(CLI::App& app, BenchEngineOptions& options) {
                "is half "
                "burnt all over, beside the ideal gas; --side 7 --along 172: the box of its scene")
       ->excludes("--faces");
+  app.add_flag("--on-ranks", options.on_ranks,
+               "the same steps inside LAMMPS on --ranks, beside the built-in engine on --threads (default 1)")
+      ->excludes("--faces", "--detonation");
   add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
   add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
   add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");

@@ -101,6 +101,29 @@ TEST(BenchEngine, TimesWallsOpenFacesAndVacuumBesideThePeriodicBox) {
   EXPECT_NEAR(rows[2]["neighbours"].get<double>() / rows[3]["neighbours"].get<double>(), 1, 1e-3);
 }
 
+TEST(BenchEngine, TimesStepsInsideLammpsBesideTheBuiltInOnes) {
+  for (char const* ranks : {"1", "2"}) {
+    auto const result =
+        tests::program({"bench", "engine", "--on-ranks", "--ranks", ranks, "--method", "dpde", "--neighbours",
+                        "20", "--side", "12", "--steps", "4", "--repeats", "3", "--json"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    auto const json = Json::parse(result.output);
+    EXPECT_EQ(std::to_string(json["ranks"].get<int>()), ranks);
+    auto const rows = json["engines"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0]["engine"], "built-in");
+    EXPECT_EQ(rows[0]["ratio"], 1.0);
+    EXPECT_EQ(rows[1]["engine"], "lammps");
+    for (auto const& row : rows)
+      EXPECT_GT(row["us_per_particle_step"].get<double>(), 0) << row;
+    EXPECT_GT(rows[1]["ratio_se"].get<double>(), 0);
+  }
+  auto const refused =
+      tests::program({"bench", "engine", "--on-ranks", "--side", "12", "--kappa", "0.1", "--ranks", "2"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("conduction"), std::string::npos) << refused.errors;
+}
+
 TEST(BenchEngine, TimesADetonationBesideTheIdealGas) {
   auto const result = tests::program({"bench", "engine", "--detonation", "--side", "6", "--along", "48",
                                       "--steps", "2", "--repeats", "3", "--threads", "1", "--json"});
