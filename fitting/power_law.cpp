@@ -17,6 +17,18 @@ double PowerLaw::x_of(double y) const {
   return std::exp((std::log(y) - log_prefactor.mean) / exponent.mean);
 }
 
+double PowerLaw::x_surely_below(double y) const {
+  double const n = exponent.mean, variance = exponent.se * exponent.se;
+  double const curvature = n * n - variance;
+  if (!(n > 0 && curvature > 0))
+    return 0;
+  // The smaller root u = ln x of (ln y - ln C - n u)^2 = variance of ln C + n u: there the left root is > 0.
+  double const above = std::log(y) - log_prefactor.mean;
+  double const half = above * n + covariance;
+  double const product = above * above - log_prefactor.se * log_prefactor.se;
+  return std::exp((half - std::sqrt(std::max(0.0, half * half - curvature * product))) / curvature);
+}
+
 PowerLaw fit_power_law(std::span<double const> x, std::span<cg::Estimate const> y) {
   constexpr double trusted = 0.05;
   std::vector<double> u, v, weight;

@@ -15,6 +15,9 @@ struct PowerLaw {
   cg::Estimate logarithm_at(double x) const;
   /// The x where y reaches a value.
   double x_of(double y) const;
+  /// The largest x at which y > 0 is not exceeded by the law with one standard error of its logarithm; 0
+  /// where the exponent is not above its own standard error, so that no x is known to be.
+  double x_surely_below(double y) const;
 };
 
 /// Weighted least squares in logarithms through the points that are resolved (y > 2 se); beyond its own error

@@ -1,6 +1,7 @@
 #include "sdpd/setup/realised_viscosity.hpp"
 #include "md/error.hpp"
 #include "sdpd/method/mean_field_viscosity.hpp"
+#include "sdpd/setup/viscosity_floor.hpp"
 #include <algorithm>
 
 namespace mesobridge::sdpd {
@@ -49,8 +50,10 @@ class Line {
 
 class Search {
  public:
-  Search(SimulationSettings const& settings, std::function<bool()> const& keep_going)
-      : settings_(trial_settings(settings)), keep_going_(keep_going), asked_(settings.as<Sdpd>().eta) {}
+  Search(SimulationSettings const& settings, std::function<bool()> const& keep_going,
+         std::function<void(ViscosityTrial const&)> const& on_trial)
+      : settings_(trial_settings(settings)), keep_going_(keep_going), on_trial_(on_trial),
+        asked_(settings.as<Sdpd>().eta) {}
 
   RealisedViscosity run() {
     equilibrate_fluid();
@@ -59,10 +62,11 @@ class Search {
     while (found_.trials.size() < most_trials) {
       auto const now = measure(pairs, is_long, 1);
       found_.trials.push_back({pairs, now.viscosity});
+      if (on_trial_)
+        on_trial_(found_.trials.back());
       double const off = now.viscosity.mean / asked_ - 1;
       if (is_long && std::abs(off) <= enough)
         return finished(pairs, now);
-      refuse_floor(pairs);
       is_long = is_long || std::abs(off) <= near;
       pairs = next(found_.trials.back());
     }
@@ -105,11 +109,16 @@ class Search {
     return nearest.realised.mean;
   }
 
-  bool too_much(ViscosityTrial const& trial) const { return trial.realised.mean > asked_; }
-
-  /// By the line through the trials about the last one, whose slope is one where friction is all.
+  /// By the line through the trials about the last one, whose slope is one where friction is all; at the
+  /// least viscosity where the fluid has had more than it is asked for in all trials.
   double next(ViscosityTrial const& last) const {
     constexpr double about = 0.7;
+    if (std::ranges::all_of(found_.trials, [&](auto const& one) { return one.realised.mean > asked_; })) {
+      auto const floor = viscosity_floor(found_.trials, least_pairs());
+      refuse(floor);
+      if (floor.between)
+        return std::max(floor.pairs, least_pairs());
+    }
     Line line;
     for (auto const& one : found_.trials)
       if (std::abs(std::log(one.pairs / last.pairs)) < about)
@@ -118,36 +127,19 @@ class Search {
     return std::max(std::clamp(target, last.pairs / farthest, last.pairs * farthest), least_pairs());
   }
 
-  /// The fluid has had more than it is asked for in all trials: is there a friction with less?
-  void refuse_floor(double pairs) const {
-    auto const& trials = found_.trials;
-    auto const of_pairs = [](ViscosityTrial const& one) { return one.pairs; };
-    if (std::ranges::min(trials, {}, of_pairs).pairs < pairs ||
-        !std::ranges::all_of(trials, [&](auto const& one) { return too_much(one); }))
+  void refuse(ViscosityFloor const& floor) const {
+    auto const& [least, se, n_eff] = floor.realised;
+    if (!(least > asked_ + 2 * se))
       return;
-    auto const lowest =
-        std::ranges::min(trials, {}, [](ViscosityTrial const& one) { return one.realised.mean; });
-    auto const& least = trials.back().realised;
-    bool const surely = least.mean > asked_ + 2 * least.se;
-    bool const rises = trials.size() > 1 && least.mean > lowest.realised.mean + 2 * least.se;
-    bool const carried = mean_field_viscosity(with_pairs(pairs)).kinetic > asked_;
-    bool const bounded = pairs <= least_pairs();
-    if (surely && (rises || carried || bounded || pairs < 0.02 * asked_))
-      throw InputError(floor_text(lowest, bounded));
-  }
-
-  std::string floor_text(ViscosityTrial const& lowest, bool bounded) const {
-    auto const [friction, kinetic] = mean_field_viscosity(with_pairs(lowest.pairs));
     auto const bulk =
         fmt::format("; less friction of pairs than {:.3g} does not go with the bulk viscosity {:.3g}",
                     least_pairs(), settings_.as<Sdpd>().zeta);
-    return fmt::format("viscosity = {:.4g}: must be > {:.3g} ± {:.1g}, the least that this fluid had in "
-                       "trials: {:.3g} of it is the "
-                       "friction of pairs, about {:.2g} is carried by the motion of particles, and the rest "
-                       "comes from the forces "
-                       "between them{}. Smaller particles (K) or more neighbours have less",
-                       asked_, lowest.realised.mean, lowest.realised.se, friction, kinetic,
-                       bounded ? bulk : "");
+    bool const bounded = floor.pairs > 0 && floor.pairs <= least_pairs();
+    throw InputError(fmt::format(
+        "viscosity = {:.4g}: must be > {:.3g} ± {:.1g}, the least that this fluid has by {} trials: "
+        "{:.3g} of it is the friction of pairs, the rest is carried by the motion of particles and "
+        "the forces between them{}. Smaller particles (K) or more neighbours have less",
+        asked_, least, se, found_.trials.size(), floor.pairs, bounded ? bulk : ""));
   }
 
   SimulationSettings with_pairs(double pairs) const {
@@ -157,7 +149,7 @@ class Search {
   }
 
   RealisedViscosity finished(double pairs, MeasuredViscosity const& now) {
-    found_.pairs = pairs, found_.realised = now.viscosity;
+    found_.pairs = pairs, found_.realised = realised_by_line(found_.trials, pairs);
     found_.T_kin = now.T_kin, found_.amplitude = now.amplitude;
     found_.of_half_wave = measure(pairs, true, 2).viscosity;
     found_.kinetic = mean_field_viscosity(with_pairs(pairs)).kinetic;
@@ -167,6 +159,7 @@ class Search {
 
   SimulationSettings settings_;
   std::function<bool()> const& keep_going_;
+  std::function<void(ViscosityTrial const&)> const& on_trial_;
   double asked_;
   Checkpoint start_;
   RealisedViscosity found_;
@@ -208,10 +201,11 @@ double steps_of_realised_viscosity(SimulationSettings const& settings) {
   return time / settings.dt;
 }
 
-RealisedViscosity realise_viscosity(SimulationSettings settings, std::function<bool()> const& keep_going) {
+RealisedViscosity realise_viscosity(SimulationSettings settings, std::function<bool()> const& keep_going,
+                                    std::function<void(ViscosityTrial const&)> const& on_trial) {
   check(settings);
   check_realised_viscosity(settings);
-  return Search(settings, keep_going).run();
+  return Search(settings, keep_going, on_trial).run();
 }
 
 } // namespace mesobridge::sdpd

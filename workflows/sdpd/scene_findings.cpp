@@ -69,8 +69,9 @@ void find_viscosity(SceneFindings& all, RunFolder const& folder, RunOptions cons
       all.viscosity = past_finding(folder.viscosity_trials(), key, scene.transport.eta_pairs);
     return;
   }
-  all.viscosity = stored_or_found(folder.viscosity_trials(), calibration_identity(scene), [&] {
-    auto const found = find_viscosity_of_pairs(scene, options.threads, [&] { return options.keep_going(0); });
+  all.viscosity = stored_or_found(folder.viscosity_trials(), fluid_identity(scene), [&] {
+    auto const found = find_viscosity_of_pairs(
+        scene, options.threads, [&] { return options.keep_going(0); }, options.tell);
     return viscosity_trials_json(found, scene);
   });
   scene.transport.eta_pairs = all.viscosity[key];

@@ -52,9 +52,17 @@ void check_viscosity_trials(Scene const& scene) {
 }
 
 sdpd::RealisedViscosity find_viscosity_of_pairs(Scene const& scene, int threads,
-                                                std::function<bool()> const& keep_going) {
+                                                std::function<bool()> const& keep_going,
+                                                std::function<void(std::string const&)> const& tell) {
+  int number = 0;
+  auto const tell_trial = [&](sdpd::ViscosityTrial const& trial) {
+    if (tell)
+      tell(fmt::format("trial {} of the viscosity: waves have {}{} with {}{} of the pairs", ++number,
+                       with_error_text(trial.realised), viscosity_unit(scene.units),
+                       number_text(trial.pairs, 4), viscosity_unit(scene.units)));
+  };
   return with_asking_keys(scene, [&] {
-    return sdpd::realise_viscosity(settings_of_viscosity_trials(scene, threads), keep_going);
+    return sdpd::realise_viscosity(settings_of_viscosity_trials(scene, threads), keep_going, tell_trial);
   });
 }
 

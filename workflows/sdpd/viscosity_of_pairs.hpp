@@ -15,9 +15,10 @@ sdpd::SimulationSettings settings_of_viscosity_trials(Scene const& scene, int th
 void check_viscosity_trials(Scene const& scene);
 
 /// Finds it on the scene's own fluid, whose densities are known. Throws as realise_viscosity, with the keys
-/// that ask for it.
+/// that ask for it. `tell` gets a line for each trial that is done, if given.
 sdpd::RealisedViscosity find_viscosity_of_pairs(Scene const& scene, int threads,
-                                                std::function<bool()> const& keep_going);
+                                                std::function<bool()> const& keep_going,
+                                                std::function<void(std::string const&)> const& tell);
 
 /// eta_pairs, eta_realised and how they were found, in the scene's units.
 Json viscosity_trials_json(sdpd::RealisedViscosity const& found, Scene const& scene);

@@ -109,7 +109,7 @@ struct Limit {
 /// False when the target cannot be met.
 bool limit_by_drift(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
   if (of.drift.known()) {
-    limit.lower(of.drift.x_of(wanted), "the wanted energy drift");
+    limit.lower(of.drift.x_surely_below(wanted), "the wanted energy drift");
     constexpr double farthest = 4; // a power law is not believed farther below the time steps that were run
     return limit.dt * farthest >= of.drift.x_min;
   }
