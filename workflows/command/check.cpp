@@ -68,7 +68,7 @@ Result check(CheckOptions const& options, Context const& context) {
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
   int const threads = context.options.threads.value_or(available_threads());
   Scene const scene = load_run(options.scene, options.overrides, threads, engine_named(options.engine));
-  auto const cost = estimate_cost(scene, threads);
+  auto const cost = estimate_cost(scene, threads, engine_named(options.engine));
   auto const disk = estimate_disk(scene);
   auto const settings = settings_for_check(scene, threads);
   auto warnings = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));

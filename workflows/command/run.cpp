@@ -162,7 +162,7 @@ Result run_scene_file(RunCommandOptions const& options, Context const& context) 
   require(!options.frames || scene.film.quantity, "--frames", "given",
           "needs a film: give film.quantity, whose value colours the particles");
   auto const directory = results_folder(context.options.output, scene, options.scene);
-  refuse_shortages(scene, threads, directory);
+  refuse_shortages(scene, threads, directory, engine);
   if (engine == Engine::built_in)
     return carry_out(options, context, scene, directory, limit, std::nullopt);
   return run_on_lammps(scene, directory, context, [&](OtherEngine const& other) {

@@ -15,6 +15,15 @@ constexpr double ns_per_pair = 50; // ideal gas, SSA; the LJ fluid takes a fifth
 constexpr double bytes_per_particle = 330;  // state, forces, working memory
 constexpr double candidates_per_pair = 1.5; // the lists reach beyond the range by their skin
 constexpr double bytes_per_candidate = 8;   // as a candidate, and as a pair in range
+// Inside LAMMPS 1.9 kB in all, on one rank with SSA (10077696 particles): the first rank holds the fluid,
+// too.
+constexpr double bytes_inside_lammps = 700;
+constexpr double bytes_per_pair_inside = 15, bytes_per_momentum = 24; // SER keeps what pairs exchange
+
+double bytes_beside_the_built_in(Scene const& scene, double pairs) {
+  double const of_pair = bytes_per_pair_inside + (scene.scheme.name == "ser" ? bytes_per_momentum : 0);
+  return static_cast<double>(particles_of(scene)) * bytes_inside_lammps + pairs * of_pair;
+}
 
 /// Particles times steps; as a double, since both may be large.
 double work_of(Scene const& scene) {
@@ -51,7 +60,7 @@ double work_of_viscosity_trials(Scene const& scene) {
 
 } // namespace
 
-CostEstimate estimate_cost(Scene const& scene, int threads) {
+CostEstimate estimate_cost(Scene const& scene, int threads, Engine engine) {
   auto const settings = settings_of(scene, threads);
   double const h = settings.range() / settings.spacing();
   double const neighbours = 4 * std::numbers::pi / 3 * h * h * h;
@@ -66,7 +75,8 @@ CostEstimate estimate_cost(Scene const& scene, int threads) {
           .viscosity_seconds = viscosity,
           .study_seconds = study,
           .bytes = static_cast<double>(particles_of(scene)) * bytes_per_particle +
-                   pairs * candidates_per_pair * bytes_per_candidate};
+                   pairs * candidates_per_pair * bytes_per_candidate +
+                   (engine == Engine::lammps ? bytes_beside_the_built_in(scene, pairs) : 0)};
 }
 
 std::string bytes_text(double bytes) {

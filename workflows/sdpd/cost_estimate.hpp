@@ -1,6 +1,7 @@
 #pragma once
 #include "sdpd/simulation.hpp"
 #include "workflows/scene/scene.hpp"
+#include "workflows/sdpd/run_checks.hpp"
 
 namespace mesobridge::workflows {
 
@@ -11,12 +12,12 @@ struct CostEstimate {
   double calibration_seconds; ///< of these, for the constants of the densities
   double viscosity_seconds;   ///< of these, for trials of the viscosity
   double study_seconds;       ///< and for the study of an automatic time step
-  double bytes;               ///< of memory
+  double bytes;               ///< of memory, of all ranks
 };
 
 /// From the number of pairs: the time by the cost of a pair that `bench engine` finds on one core of the
 /// machines of 2026 (within a factor of two elsewhere), the memory by what the engine stores.
-CostEstimate estimate_cost(Scene const& scene, int threads);
+CostEstimate estimate_cost(Scene const& scene, int threads, Engine engine = Engine::built_in);
 
 /// "3.2 GB".
 std::string bytes_text(double bytes);

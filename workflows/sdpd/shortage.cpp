@@ -36,8 +36,8 @@ std::filesystem::path results_folder(std::optional<std::filesystem::path> const&
   return output.value_or(scene.output.directory.value_or("out/" + file.stem().string()));
 }
 
-void refuse_shortages(Scene const& scene, int threads, std::filesystem::path const& folder) {
-  auto const lacking = shortages(estimate_cost(scene, threads), estimate_disk(scene), folder);
+void refuse_shortages(Scene const& scene, int threads, std::filesystem::path const& folder, Engine engine) {
+  auto const lacking = shortages(estimate_cost(scene, threads, engine), estimate_disk(scene), folder);
   if (!lacking.empty())
     throw EnvironmentError(fmt::format("{}", fmt::join(lacking, "; ")));
 }

@@ -15,6 +15,6 @@ std::filesystem::path results_folder(std::optional<std::filesystem::path> const&
                                      std::filesystem::path const& file);
 
 /// Throws EnvironmentError when the run of a scene does not fit this machine.
-void refuse_shortages(Scene const& scene, int threads, std::filesystem::path const& folder);
+void refuse_shortages(Scene const& scene, int threads, std::filesystem::path const& folder, Engine engine);
 
 } // namespace mesobridge::workflows

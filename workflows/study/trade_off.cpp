@@ -138,6 +138,19 @@ void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted
   }
 }
 
+/// Of temperatures that rise by the energy's drift over the scene's own steps, where nothing takes it out.
+void limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
+  if (!of.drift.known() || of.K == 0)
+    return;
+  auto const& trial = *std::ranges::find_if(of.trials, [](auto const& one) { return !one.failed(); });
+  auto heating = of.drift; // rate times dt
+  heating.exponent.mean += 1;
+  double const share = wanted * trial.heat_capacity / (of.K * std::abs(trial.E_0)); // of the energy
+  if (share > 0 && std::isfinite(share))
+    limit.lower(heating.x_surely_below(share / static_cast<double>(found.scene.run.steps)),
+                "the wanted bias over the run's length");
+}
+
 } // namespace
 
 std::string Configuration::name() const {
@@ -238,8 +251,10 @@ std::optional<Recommendation> largest_dt(TradeOff const& found, std::size_t inde
     limit.lower(safety * *of.failing_dt, "stability");
   if (target.drift && !limit_by_drift(found, of, *target.drift, limit))
     return std::nullopt;
-  if (target.bias)
+  if (target.bias) {
     limit_by_bias(found, of, *target.bias, limit);
+    limit_by_heating(found, of, *target.bias, limit);
+  }
   if (target.dynamics)
     limit.lower(largest_dynamic_dt(found, of, *target.dynamics), "the wanted dynamics");
   double const dt = rounded_down(limit.dt);

@@ -74,12 +74,13 @@ LongRun long_run(Scene const& scene, double dt, double time, std::uint64_t seed)
   cg::BlobSeries series{.molecules = simulation.size(), .atoms = 1, .mass = 1, .free_atoms = true};
   auto const between = static_cast<std::uint64_t>(std::max(1.0, std::round(0.2 / dt)));
   auto const looks = static_cast<std::uint64_t>(time / (dt * double(between)));
+  std::uint64_t const every = settings.features().densities ? 4 : 2; // soft particles go far between frames
   for (std::uint64_t look = 0; look <= looks; ++look) {
     if (look > 0)
       simulation.advance(between);
     double const now = double(look * between) * dt;
     sampler.sample(simulation.observe(), now);
-    if (look % 4 != 0)
+    if (look % every != 0)
       continue;
     auto const shot = simulation.snapshot();
     sampler.sample(sdpd::moments(shot));

@@ -147,6 +147,19 @@ TEST(LammpsRun, GoesOnFromACheckpointOnOtherRanks) {
   }
 }
 
+TEST(LammpsRun, IsCheckedForTheMemoryThatItNeeds) {
+  auto const bytes = [](char const* engine, char const* scheme) {
+    auto const result = tests::program({"check", MESOBRIDGE_SOURCE_DIR "/workflows/scenes/sdpd-ranks.toml",
+                                        "--engine", engine, "--set", scheme, "--json"});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    return Json::parse(result.output)["estimated_memory_bytes"].get<double>();
+  };
+  constexpr double built_in = 0.71e3, inside = 1.9e3; // bytes a particle, measured for 10^7
+  double const in_turn = bytes("lammps", "scheme.name=ssa"), at_once = bytes("lammps", "scheme.name=ser");
+  EXPECT_NEAR(in_turn / bytes("built-in", "scheme.name=ssa"), inside / built_in, 0.2);
+  EXPECT_GT(at_once, in_turn);
+}
+
 TEST(LammpsRun, RefusesByNameWhatItCannotRun) {
   ScratchDirectory const scratch;
   auto const directory = (scratch / "a").string();
