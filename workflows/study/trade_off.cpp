@@ -138,7 +138,8 @@ void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted
   }
 }
 
-/// Of temperatures that rise by the energy's drift over the scene's own steps, where nothing takes it out.
+/// Of temperatures that rise by the energy's drift over the scene's own steps, where nothing takes it out; a
+/// drift whose law is not known limits nothing.
 void limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
   if (!of.drift.known() || of.K == 0)
     return;
@@ -146,9 +147,10 @@ void limit_by_heating(TradeOff const& found, Configuration const& of, double wan
   auto heating = of.drift; // rate times dt
   heating.exponent.mean += 1;
   double const share = wanted * trial.heat_capacity / (of.K * std::abs(trial.E_0)); // of the energy
-  if (share > 0 && std::isfinite(share))
-    limit.lower(heating.x_surely_below(share / static_cast<double>(found.scene.run.steps)),
-                "the wanted bias over the run's length");
+  if (!(share > 0 && std::isfinite(share)))
+    return;
+  if (double const dt = heating.x_surely_below(share / static_cast<double>(found.scene.run.steps)); dt > 0)
+    limit.lower(dt, "the wanted bias over the run's length");
 }
 
 } // namespace

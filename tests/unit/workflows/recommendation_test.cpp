@@ -69,6 +69,23 @@ TEST(TradeOff, LimitsTheTimeStepByBiasAndByStability) {
   EXPECT_FALSE(largest_dt(found, 1, {.drift = 1e-3}));
 }
 
+TEST(TradeOff, LimitsTheTimeStepByTheHeatingOfAWholeRun) {
+  auto found = two_schemes();
+  found.scene.run.steps = 1'000'000;
+  for (auto& one : found.configurations[0].trials)
+    one.heat_capacity = 1.5 * 10, one.E_0 = 3; // dE/dT = 1.5 in units of k_B = 1/K
+  // 1e-3 dt^4 of E_0 in each unit of time warms the fluid by 2e-3 dt^4 (10^6 dt): by 1 % at dt^5 = 5e-6.
+  auto const heated = largest_dt(found, 0, {.bias = 0.01});
+  ASSERT_TRUE(heated);
+  EXPECT_EQ(heated->because, "the wanted bias over the run's length");
+  EXPECT_NEAR(heated->dt, std::pow(5e-6, 0.2), 0.01);
+  EXPECT_LE(heated->dt, std::pow(5e-6, 0.2));
+  found.configurations[0].drift.exponent.se = 6; // says nothing
+  auto const unknown = largest_dt(found, 0, {.bias = 0.01});
+  ASSERT_TRUE(unknown);
+  EXPECT_EQ(unknown->because, "the wanted bias");
+}
+
 TEST(TradeOff, LimitsTheTimeStepByWhatTrialsShowOfTheDiffusion) {
   auto found = two_schemes();
   found.scene = parse_scene(tests::SdpdScene{}.text(), "s.toml");
