@@ -12,6 +12,7 @@ namespace {
 struct Conduction {
   template <class Particles>
   using Strip = HeatStrip<Particles>;
+  static constexpr bool expands_present_state = false;
 
   template <class Law>
   static void exact_step(PairScheme scheme, LeftPair const& pair, Sweep<Law> const& sweep,

@@ -164,12 +164,13 @@ std::optional<Caloric> expansion(System const& system, Index i, double eps, doub
 
 } // namespace
 
-bool FluctuatingBlock::renew(System& system, std::size_t local, Failure& failure) {
+bool FluctuatingBlock::renew(System& system, std::size_t local, bool extrapolate, Failure& failure) {
   Index const i = index(local);
   auto& [p, u, caloric] = particles_[local];
+  double const T_guess = extrapolate ? caloric.T(u) : caloric.T_0;
   double& eps = system.particles.eps[i];
   eps += u, u = 0;
-  auto const renewed = expansion(system, i, eps, caloric.T_0, failure);
+  auto const renewed = expansion(system, i, eps, T_guess, failure);
   if (renewed)
     system.particles.caloric[i] = caloric = *renewed;
   return renewed.has_value();
@@ -208,7 +209,7 @@ void ConstantCapacityBlock::set_particle(System const& system, std::size_t local
   rows_[local] = Row{p.x, p.y, p.z, C_ * system.particles.caloric[index(local)].T_0 + u};
 }
 
-bool ConstantCapacityBlock::renew(System& system, std::size_t local, Failure& failure) {
+bool ConstantCapacityBlock::renew(System& system, std::size_t local, bool, Failure& failure) {
   auto const [p, u, caloric] = particle(system, local);
   Index const i = index(local);
   return expansion(system, i, system.particles.eps[i] + u, caloric.T_0, failure).has_value();

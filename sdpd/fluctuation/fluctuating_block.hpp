@@ -87,8 +87,9 @@ class FluctuatingBlock : public BlockGeometry {
     return caloric.in_reach(u) && caloric.T(u) > 0;
   }
   /// Begins a new caloric expansion at the particle's energy; false, and a report to `failure`, when that
-  /// energy has no temperature.
-  bool renew(System& system, std::size_t local, Failure& failure);
+  /// energy has no temperature. That is looked for from where the old expansion extrapolates to, or from
+  /// where it began (whose bits runs by SSA keep).
+  bool renew(System& system, std::size_t local, bool extrapolate, Failure& failure);
 
  private:
   std::vector<FluctuatingParticle> particles_;
@@ -113,7 +114,7 @@ class ConstantCapacityBlock : public BlockGeometry {
 
   bool has_temperature(std::size_t local) const { return rows_[local][3] > 0; }
   /// Reports why it has none.
-  bool renew(System& system, std::size_t local, Failure& failure);
+  bool renew(System& system, std::size_t local, bool extrapolate, Failure& failure);
 
  private:
   std::vector<Row> rows_;

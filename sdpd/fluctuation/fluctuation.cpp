@@ -13,6 +13,7 @@ namespace {
 struct Friction {
   template <class Particles>
   using Strip = FluctuationStrip<Particles>;
+  static constexpr bool expands_present_state = true;
 
   template <class Law>
   static void exact_step(PairScheme scheme, LeftPair const& pair, Sweep<Law> const& sweep,

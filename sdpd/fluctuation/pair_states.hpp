@@ -1,10 +1,12 @@
 #pragma once
 #include "sdpd/fluctuation/fluctuating_block.hpp"
+#include "sdpd/thermodynamics/heated_states.hpp"
 
 namespace mesobridge::sdpd {
 
 /// Two particles of a block and the states that they have, or would have with more heat, by exact inversions
-/// of the equation of state.
+/// of the equation of state; or those that they would have by inversions, beside those that they have by
+/// their caloric expansions.
 class PairStates {
  public:
   using States = std::array<ThermalState, 2>;
@@ -13,23 +15,43 @@ class PairStates {
   /// densities and masses. Throws PhysicsError when one has left the equation of state.
   PairStates(Thermodynamics const& thermodynamics, Particles const& all,
              std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places)
-      : thermodynamics_(thermodynamics), all_(all), particles_(particles), index_(places), now_(with(0, 0)) {}
+      : thermodynamics_(thermodynamics), all_(all), particles_(particles),
+        index_(places), now_{inverted(0, 0), inverted(1, 0)} {}
+  /// Whose expansions reach their energies, of a model that offers `heated`.
+  PairStates(System const& system, HeatedStates const& heated, std::array<FluctuatingParticle*, 2> particles,
+             std::array<Index, 2> places)
+      : thermodynamics_(*system.thermodynamics), heated_(&heated), all_(system.particles),
+        particles_(particles), index_(places), now_{expanded(0), expanded(1)} {}
   PairStates(System const& system, std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places)
       : PairStates(*system.thermodynamics, system.particles, particles, places) {}
 
   FluctuatingParticle& operator[](std::size_t k) const { return *particles_[k]; }
   States const& now() const { return now_; }
   PairMasses<double> masses() const { return {all_.mass_of(index_[0]), all_.mass_of(index_[1])}; }
-  /// Throws PhysicsError when the equation of state has no such states.
-  States with(double heat_a, double heat_b) const { return {state(0, heat_a), state(1, heat_b)}; }
+  /// Entropies count from where those of now() do. Throws PhysicsError when the equation of state has no such
+  /// states.
+  States with(double heat_a, double heat_b) const {
+    if (heated_)
+      return {heated(0, heat_a), heated(1, heat_b)};
+    return {inverted(0, heat_a), inverted(1, heat_b)};
+  }
 
  private:
-  ThermalState state(std::size_t k, double heat) const {
-    Index const i = index_[k];
-    return thermodynamics_.state(all_, i, all_.eps[i] + particles_[k]->u + heat);
+  double energy(std::size_t k) const { return all_.eps[index_[k]] + particles_[k]->u; }
+  ThermalState inverted(std::size_t k, double heat) const {
+    return thermodynamics_.state(all_, index_[k], energy(k) + heat);
+  }
+  ThermalState expanded(std::size_t k) const {
+    auto const& [p, u, caloric] = *particles_[k];
+    return {.T = caloric.T(u), .S = 0, .inverse_C = caloric.inverse_C(u)};
+  }
+  ThermalState heated(std::size_t k, double heat) const {
+    auto const& [p, u, caloric] = *particles_[k];
+    return heated_->heated(all_, index_[k], {energy(k), now_[k].T}, heat, caloric.T(u + heat));
   }
 
   Thermodynamics const& thermodynamics_;
+  HeatedStates const* heated_ = nullptr;
   Particles const& all_;
   std::array<FluctuatingParticle*, 2> particles_;
   std::array<Index, 2> index_;

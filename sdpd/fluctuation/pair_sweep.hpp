@@ -8,6 +8,7 @@
 /// conduction. What pairs exchange is told by a type, with
 ///     Exchange::Strip<Particles>                 the steps in lanes (FluctuationStrip, HeatStrip)
 ///     Exchange::exact_step(scheme, two, sweep, counts)   the step of a pair that the lanes leave over
+///     Exchange::expands_present_state            whether that takes the present state from expansions
 namespace mesobridge::sdpd {
 
 /// A pair that the lanes leave over.
@@ -37,8 +38,9 @@ class BlockSweep {
 
   BlockSweep(System& system, Block& block, PairInputs& inputs, BlockStrip& strip, Sweep<Law> const& sweep,
              PairCounts& counts, Failure& failure)
-      : system_(system), block_(block), inputs_(inputs), strip_(strip), sweep_(sweep), counts_(counts),
-        failure_(failure) {}
+      : system_(system),
+        heated_(expands ? dynamic_cast<HeatedStates const*>(system.thermodynamics.get()) : nullptr),
+        block_(block), inputs_(inputs), strip_(strip), sweep_(sweep), counts_(counts), failure_(failure) {}
 
   /// Sweeps one matching, whose inputs begin at `first`. False when a particle has left the equation of
   /// state.
@@ -50,6 +52,9 @@ class BlockSweep {
   }
 
  private:
+  /// Whether exact steps take what a particle has from its expansion. SSA asks for nothing else, so exactly.
+  static constexpr bool expands = Exchange::expands_present_state && scheme != PairScheme::ssa;
+
   bool strip(std::span<LocalPair const> pairs, std::size_t first) {
     auto const particles = in_lanes(block_);
     strip_.read(particles, pairs, block_.size());
@@ -76,15 +81,15 @@ class BlockSweep {
     return !moved_far || (renew(pair.i) && renew(pair.j));
   }
   bool renew(std::size_t local) {
-    return block_.has_temperature(local) || block_.renew(system_, local, failure_);
+    return block_.has_temperature(local) || block_.renew(system_, local, expands, failure_);
   }
   /// False, and a report, when a particle has no state that the step could begin with.
   bool exact_step(LocalPair pair, std::size_t k) {
     double const uniform = sweep_.noise.uniform(block_.ids()[pair.i], block_.ids()[pair.j], inputs_.bits[k]);
     std::array particles{block_.particle(system_, pair.i), block_.particle(system_, pair.j)};
     try {
-      PairStates const states(system_, {&particles[0], &particles[1]},
-                              {block_.index(pair.i), block_.index(pair.j)});
+      auto const states =
+          states_of({&particles[0], &particles[1]}, {block_.index(pair.i), block_.index(pair.j)});
       Exchange::exact_step(
           scheme,
           {.states = states, .inputs = inputs_, .k = k, .uniform = uniform, .boltzmann = system_.boltzmann},
@@ -98,7 +103,13 @@ class BlockSweep {
     return true;
   }
 
+  PairStates states_of(std::array<FluctuatingParticle*, 2> particles, std::array<Index, 2> places) const {
+    return heated_ ? PairStates(system_, *heated_, particles, places)
+                   : PairStates(system_, particles, places);
+  }
+
   System& system_;
+  HeatedStates const* heated_; ///< what the model offers, if it does
   Block& block_;
   PairInputs& inputs_;
   BlockStrip& strip_;

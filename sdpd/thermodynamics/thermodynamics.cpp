@@ -1,5 +1,6 @@
 #include "sdpd/thermodynamics/thermodynamics.hpp"
 #include "fitting/eos/centre_of_mass_free.hpp"
+#include "sdpd/thermodynamics/heated_states.hpp"
 #include "sdpd/thermodynamics/packed_places.hpp"
 #include "sdpd/thermodynamics/particle_eos.hpp"
 
@@ -48,7 +49,7 @@ PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at)
 }
 
 template <fitting::EquationOfState Eos>
-class ThermodynamicsOf final : public Thermodynamics {
+class ThermodynamicsOf final : public Thermodynamics, public HeatedStates {
  public:
   explicit ThermodynamicsOf(ParticleEos<Eos> eos) : eos_(std::move(eos)) {}
 
@@ -69,6 +70,12 @@ class ThermodynamicsOf final : public Thermodynamics {
     auto const at = eos_.at(particles.rho[i]);
     double const T = at.temperature_from_energy(eps, particles.T[i]);
     return {T, at.entropy(T), 1 / at.heat_capacity(T)};
+  }
+  ThermalState heated(Particles const& particles, Index i, HeatOrigin const& from, double heat,
+                      double T_guess) const override {
+    auto const at = eos_.at(particles.rho[i]);
+    double const T = at.temperature_from_energy(from.eps + heat, T_guess);
+    return {T, at.entropy(T) - at.entropy(from.T), 1 / at.heat_capacity(T)};
   }
   Caloric caloric(Particles const& particles, Index i, double eps, double T_guess) const override {
     auto const at = eos_.at(particles.rho[i]);
