@@ -84,7 +84,7 @@ struct LammpsEngine::Inside {
   std::optional<DecomposedFluid> fluid = {};    ///< these three from the first step on
   std::optional<md::LammpsSession> lammps = {}; ///< until then the ranks wait without load
   std::optional<LammpsStyles> styles = {};
-  bool has_forces = false;
+  bool has_forces = false; ///< from the first run on: they are found when no copies of the particles are left
   std::chrono::duration<double> in_steps{};
 
   /// A box with the styles and without atoms.
@@ -111,7 +111,6 @@ struct LammpsEngine::Inside {
     prepare();
     styles->create(particles_of(world.root_gives(rows), settings.features()));
     lammps->command("reset_timestep {}", order.first);
-    has_forces = false;
   }
 
   /// All particles, on the first rank; `counts` gains what the pairs of all ranks did.
@@ -152,7 +151,8 @@ void LammpsEngine::advance(Simulation& simulation, std::uint64_t steps) {
   inside_->world.root_gives(order.numbers());
   if (!inside_->lammps)
     inside_->begin(order, rows_of(checkpoint.particles));
-  checkpoint.particles = {}, checkpoint.q_at_renewal = {}; // large fluids leave no memory for a second copy
+  // Large fluids leave no memory for a second copy; `= {}` would keep a vector's room.
+  checkpoint.particles = Particles(), checkpoint.q_at_renewal = std::vector<Vec3>();
   checkpoint.particles =
       particles_of(inside_->run(steps, checkpoint.pair_counts), inside_->settings.features());
   checkpoint.q_at_renewal = checkpoint.particles.q;

@@ -125,7 +125,7 @@ Result run_detonation(BenchEngineOptions options, int threads) {
 }
 
 /// What a step costs inside LAMMPS.
-Result run_on_ranks_too(BenchEngineOptions const& options, int threads, Context const& context) {
+Result run_inside_lammps(BenchEngineOptions const& options, int threads, Context const& context) {
   Result result;
   sdpd::for_method(options.method, [&](auto type) {
     result = time_on_ranks(make(type, options, threads), {.steps = options.steps, .repeats = options.repeats},
@@ -141,7 +141,7 @@ Result run(BenchEngineOptions const& options, Context const& context) {
   if (options.detonation)
     return run_detonation(options, threads);
   if (options.on_ranks)
-    return run_on_ranks_too(options, threads, context);
+    return run_inside_lammps(options, threads, context);
   bool const densities = sdpd::method_named(options.method).features.densities;
   std::optional<sdpd::Simulation> made;
   sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
