@@ -91,7 +91,8 @@ auto LammpsSession::guarded(std::string const& doing, Call&& call) {
 LammpsSession::LammpsSession(MpiWorld const&, Ranks ranks, std::filesystem::path const& log_file, Log log)
     : handle_(std::make_unique<Handle>()) {
   guarded("start", [&](void*) { handle_->lammps = open_lammps(ranks); });
-  command_with_file("log", log_file, log == Log::append ? "append" : "");
+  if (!log_file.empty())
+    command_with_file("log", log_file, log == Log::append ? "append" : "");
 }
 
 LammpsSession::~LammpsSession() = default;

@@ -54,7 +54,7 @@ struct UnitConstants {
 /// with MpiWorld::abort.
 class LammpsSession {
  public:
-  /// Throws LammpsError when the log file cannot be written.
+  /// Without a log where log_file is empty. Throws LammpsError when it cannot be written.
   LammpsSession(MpiWorld const& world, Ranks ranks, std::filesystem::path const& log_file,
                 Log log = Log::replace);
   ~LammpsSession();

@@ -5,6 +5,7 @@
 #include "workflows/command_line.hpp"
 #include "workflows/interrupt.hpp"
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 
@@ -16,6 +17,10 @@ int ranks_of(Context const& context) {
 
 bool must_start_ranks(Context const& context) {
   return ranks_of(context) > 1 && !md::already_on_ranks();
+}
+
+void yield_when_idle() {
+  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
 
 void run_on_ranks(int ranks, std::vector<std::string> const& words) {

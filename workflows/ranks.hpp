@@ -14,6 +14,10 @@ bool must_start_ranks(Context const& context);
 /// How many ranks a command runs on: --ranks, or all cores.
 int ranks_of(Context const& context);
 
+/// For ranks that are started from now on: one that waits for another leaves it the processor, which they may
+/// have to share.
+void yield_when_idle();
+
 /// Runs this program again on that many ranks with the given words, which must be such that it prints no
 /// result. Throws AlreadyReported if it fails, EnvironmentError if it cannot be started.
 void run_on_ranks(int ranks, std::vector<std::string> const& words);

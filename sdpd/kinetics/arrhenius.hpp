@@ -22,7 +22,7 @@ struct Arrhenius {
   double operator()(double T) const { return Z * std::exp(-T_a / T); }
   [[gnu::always_inline]] Lanes operator()(Lanes const& T) const {
     Lanes const exponent = -T_a / T, least = broadcast(-690.0); // what exponential() can
-    return Z * exponential(exponent > least ? exponent : least);
+    return Z * exponential(exponent < least ? least : exponent);
   }
 };
 

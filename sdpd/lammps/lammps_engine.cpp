@@ -117,6 +117,7 @@ struct LammpsEngine::Inside {
   std::vector<double> run(std::uint64_t steps, PairCounts& counts) {
     if (!std::exchange(has_forces, true))
       lammps->command("run 0 post no");
+    world.barrier(); // the others wake when they see the order
     auto const start = std::chrono::steady_clock::now();
     lammps->command("run {} pre no post no", steps);
     in_steps += std::chrono::steady_clock::now() - start;

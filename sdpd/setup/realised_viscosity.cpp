@@ -94,7 +94,9 @@ class Search {
     double const relaxation = relaxation_time(settings_, wave),
                  time = is_long ? std::max(long_run * relaxation, least_long)
                                 : std::max(short_run * relaxation, least_short);
-    auto const found = measure_viscosity(settings_, time, keep_going_, wave);
+    auto settings = settings_;
+    settings.seed += found_.trials.size(); // noise of each trial's own
+    auto const found = measure_viscosity(settings, time, keep_going_, wave);
     found_.steps += found.steps;
     return found;
   }

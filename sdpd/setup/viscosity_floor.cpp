@@ -1,5 +1,6 @@
 #include "sdpd/setup/viscosity_floor.hpp"
 #include "fitting/linear_gaussian.hpp"
+#include "sdpd/setup/viscosity_line.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -65,14 +66,15 @@ ViscosityFloor without_friction(ViscosityTrial const& least, double least_pairs)
   constexpr double slope = 1, slope_error = .5;
   double const less = std::max(0.0, least.pairs - least_pairs);
   auto const& [mean, se, n_eff] = least.realised;
-  return {least.pairs - less, {mean - slope * less, std::hypot(se, slope_error * less), n_eff}};
+  return {std::min(least.pairs, least_pairs), {mean - slope * less, std::hypot(se, slope_error * less), n_eff}};
 }
 
 } // namespace
 
 ViscosityFloor viscosity_floor(std::span<ViscosityTrial const> trials, double least_pairs) {
   constexpr double about = 1.2; // of ln pairs: farther away it is no parabola
-  auto const edge = without_friction(std::ranges::min(trials, {}, pairs_of), least_pairs);
+  double const smallest = std::ranges::min(trials, {}, pairs_of).pairs;
+  auto const edge = without_friction({smallest, realised_by_line(trials, smallest)}, least_pairs);
   auto const lowest = std::ranges::min(trials, {}, value_of);
   std::vector<ViscosityTrial> near;
   std::ranges::copy_if(trials, std::back_inserter(near), [&](ViscosityTrial const& one) {

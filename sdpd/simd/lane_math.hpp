@@ -18,7 +18,7 @@ template <class Integers, class Floats>
   constexpr float ln2_high = 0.693359375f, ln2_low = -2.12194440e-4f; // their sum is ln 2
   constexpr float to_integer = 12582912.0f;                           // 1.5 * 2^23: adding it rounds
   Floats const most = constant<Floats>(80);                           // exp(-80) is nothing beside 1
-  Floats const x = argument < most ? argument : most;
+  Floats const x = argument > most ? most : argument; // a NaN stays one
   Floats const shifted = x * 1.44269504f + to_integer, n = shifted - to_integer;
   Floats const f = (n * ln2_high - x) + n * ln2_low;
   Floats series = 1.0f / 720.0f + f * (1.0f / 5040.0f);
@@ -46,7 +46,7 @@ template <class Integers, class Floats>
   constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
   constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
   Lanes const most = broadcast(700);                // exp(-700) is nothing beside 1
-  Lanes const x = argument < most ? argument : most;
+  Lanes const x = argument > most ? most : argument;
   Lanes const n = (x * 1.44269504088896340736 + to_integer) - to_integer;
   Lanes const f = (n * ln2_high - x) + n * ln2_low;
   Lanes series = broadcast(1.0 / 6227020800); // 1/13!
@@ -60,10 +60,10 @@ template <class Integers, class Floats>
   return power * series + (power - 1.0);
 }
 
-/// exp(min(x, 0)), to single precision.
+/// exp(min(x, 0)), to single precision; a NaN stays one.
 template <class Floats>
 [[gnu::always_inline]] inline Floats exp_up_to_one(Floats const& x) {
-  return 1.0f + minus_expm1(x < 0.0f ? -x : Floats{});
+  return 1.0f + minus_expm1(x >= 0.0f ? Floats{} : -x);
 }
 
 /// ln x of normal numbers x > 0, to 2 units of round-off: x = 2^k m with m in [sqrt(1/2), sqrt(2)), and

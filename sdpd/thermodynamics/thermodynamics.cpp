@@ -75,12 +75,14 @@ class ThermodynamicsOf final : public Thermodynamics, public HeatedStates {
                       double T_guess) const override {
     auto const at = eos_.at(particles.rho[i]);
     double const T = at.temperature_from_energy(from.eps + heat, T_guess);
-    return {T, at.entropy(T) - at.entropy(from.T), 1 / at.heat_capacity(T)};
+    double const missed = (from.eps - at.energy(from.T)) / from.T; // of the origin's entropy, to second order
+    return {T, at.entropy(T) - at.entropy(from.T) - missed, 1 / at.heat_capacity(T)};
   }
   Caloric caloric(Particles const& particles, Index i, double eps, double T_guess) const override {
     auto const at = eos_.at(particles.rho[i]);
     return at.caloric(at.temperature_from_energy(eps, T_guess));
   }
+  HeatedStates const* heated_states() const override { return this; }
   std::optional<double> constant_heat_capacity() const override { return eos_.constant_heat_capacity(); }
   double heat_capacity(Particles const& particles, Index i) const override {
     return eos_.at(particles.rho[i]).heat_capacity(particles.T[i]);

@@ -30,6 +30,8 @@ enum class MixtureFate {
   mixes_again         ///< it counts again
 };
 
+class HeatedStates;
+
 /// What the engine asks of the particles' equation of state, for a range of particles with one virtual call.
 /// Everything in reduced units. A state that the model does not have is reported to `failure` under the
 /// particle's id; the others go on.
@@ -56,6 +58,8 @@ class Thermodynamics {
   virtual std::optional<double> constant_heat_capacity() const = 0;
   /// Of particle i at its temperature.
   virtual double heat_capacity(Particles const& particles, Index i) const = 0;
+  /// What it offers beside; null where it does not.
+  virtual HeatedStates const* heated_states() const { return nullptr; }
 
   /// What has to become of particle i, which reacts, so that it has a state next time, too; and of each of a
   /// range.

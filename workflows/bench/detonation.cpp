@@ -1,10 +1,10 @@
 #include "workflows/bench/detonation.hpp"
 #include "md/error.hpp"
 #include "md/processor_clock.hpp"
-#include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "sdpd/thermodynamics/reacting.hpp"
 #include "workflows/bench/paired_times.hpp"
+#include "workflows/bench/settle.hpp"
 #include "workflows/built_in.hpp"
 #include "workflows/scene/keys.hpp"
 #include "workflows/sdpd/settings.hpp"
@@ -67,7 +67,7 @@ struct TimedFluid {
 
 TimedFluid settled_fluid(std::string name, sdpd::SimulationSettings const& settings) {
   TimedFluid fluid{std::move(name), sdpd::Simulation(settings)};
-  sdpd::equilibrate(fluid.simulation, 64, [] { return true; });
+  settle(fluid.simulation);
   return fluid;
 }
 

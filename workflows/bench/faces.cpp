@@ -3,9 +3,9 @@
 #include "sdpd/conservative/refresh.hpp"
 #include "sdpd/make_system.hpp"
 #include "sdpd/scheme/scheme.hpp"
-#include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/bench/paired_times.hpp"
+#include "workflows/bench/settle.hpp"
 #include <algorithm>
 
 namespace mesobridge::workflows {
@@ -78,7 +78,7 @@ class TimedBox {
 /// Positions within the periodic box, as walls need them.
 sdpd::Checkpoint settled(sdpd::SimulationSettings const& periodic) {
   sdpd::Simulation simulation(periodic);
-  sdpd::equilibrate(simulation, 64, [] { return true; });
+  settle(simulation);
   auto checkpoint = simulation.checkpoint();
   for (auto& q : checkpoint.particles.q)
     q = simulation.box().wrap(q);

@@ -1,15 +1,13 @@
 #include "workflows/bench/ranks.hpp"
 #include "md/mpi_world.hpp"
 #include "sdpd/lammps/lammps_engine.hpp"
-#include "sdpd/setup/equilibration.hpp"
 #include "workflows/bench/paired_times.hpp"
+#include "workflows/bench/settle.hpp"
 #include "workflows/ranks.hpp"
 #include <chrono>
 
 namespace mesobridge::workflows {
 namespace {
-
-constexpr std::uint64_t settling_steps = 64;
 
 struct EngineTimes {
   PairedTimes built_in, inside;
@@ -21,6 +19,7 @@ EngineTimes time_both(sdpd::Simulation& simulation, sdpd::LammpsEngine& engine, 
   EngineTimes times;
   engine.advance(simulation, 1); // brings the particles there
   for (int repeat = 0; repeat < timing.repeats; ++repeat) {
+    simulation.advance(steps); // the particles came back without lists: these get old, as in a run
     auto const start = std::chrono::steady_clock::now();
     simulation.advance(steps);
     std::chrono::duration<double> const built_in = std::chrono::steady_clock::now() - start;
@@ -33,7 +32,8 @@ EngineTimes time_both(sdpd::Simulation& simulation, sdpd::LammpsEngine& engine, 
   return times;
 }
 
-Result result_of(EngineTimes const& times, sdpd::Simulation const& simulation, int ranks, int threads) {
+Result result_of(EngineTimes const& times, sdpd::Simulation const& simulation, RanksTiming const& timing,
+                 int ranks, int threads) {
   Json rows = Json::array();
   std::string text = times_head("engine", "beside the built-in") + "\n";
   for (auto const& [name, of] :
@@ -44,9 +44,16 @@ Result result_of(EngineTimes const& times, sdpd::Simulation const& simulation, i
     text += times_line(row, "engine") + "\n";
     rows.push_back(std::move(row));
   }
-  text += fmt::format("{} particles; {} thread(s) built in, {} rank(s) of LAMMPS", simulation.size(), threads,
-                      ranks);
-  return {.json = {{"engines", rows}, {"threads", threads}, {"ranks", ranks}, {"n", simulation.size()}},
+  text += fmt::format("{}, {}; {} particles; {} thread(s) built in, {} rank(s) of LAMMPS", timing.method,
+                      timing.scheme, simulation.size(), threads, ranks);
+  return {.json = {{"engines", rows},
+                   {"method", timing.method},
+                   {"scheme", timing.scheme},
+                   {"steps", timing.steps},
+                   {"repeats", timing.repeats},
+                   {"threads", threads},
+                   {"ranks", ranks},
+                   {"n", simulation.size()}},
           .text = text};
 }
 
@@ -57,17 +64,18 @@ Result time_on_ranks(sdpd::SimulationSettings const& settings, RanksTiming const
   sdpd::refuse_for_lammps(settings);
   Result result = told_elsewhere();
   if (must_start_ranks(context)) {
+    yield_when_idle();
     run_on_ranks(ranks_of(context), context.arguments);
     return result;
   }
   guard_ranks([&] {
     md::MpiWorld const world;
-    sdpd::LammpsEngine engine(world, settings, "/dev/null");
+    sdpd::LammpsEngine engine(world, settings, {});
     if (!world.is_root())
       return engine.serve();
     sdpd::Simulation simulation(settings);
-    sdpd::equilibrate(simulation, settling_steps, [] { return true; });
-    result = result_of(time_both(simulation, engine, timing), simulation, world.size(), settings.threads);
+    settle(simulation);
+    result = result_of(time_both(simulation, engine, timing), simulation, timing, world.size(), settings.threads);
   });
   return result;
 }

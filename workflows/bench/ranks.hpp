@@ -11,6 +11,7 @@ namespace mesobridge::workflows {
 /// repeat, their mean with its standard error. On ranks but the first, and where the ranks are still to be
 /// started, an empty result: another process tells it. Throws InputError for what does not run there.
 struct RanksTiming {
+  std::string method, scheme; ///< as they are named, for the result
   int steps = 20, repeats = 5;
 };
 Result time_on_ranks(sdpd::SimulationSettings const& settings, RanksTiming const& timing,

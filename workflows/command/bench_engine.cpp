@@ -1,9 +1,9 @@
 #include "sdpd/scheme/list.hpp"
-#include "sdpd/setup/equilibration.hpp"
 #include "sdpd/simulation.hpp"
 #include "workflows/bench/detonation.hpp"
 #include "workflows/bench/faces.hpp"
 #include "workflows/bench/ranks.hpp"
+#include "workflows/bench/settle.hpp"
 #include "workflows/command/options.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/shared_options.hpp"
@@ -128,8 +128,8 @@ Result run_detonation(BenchEngineOptions options, int threads) {
 Result run_inside_lammps(BenchEngineOptions const& options, int threads, Context const& context) {
   Result result;
   sdpd::for_method(options.method, [&](auto type) {
-    result = time_on_ranks(make(type, options, threads), {.steps = options.steps, .repeats = options.repeats},
-                           context);
+    RanksTiming const timing{options.method, options.scheme, options.steps, options.repeats};
+    result = time_on_ranks(make(type, options, threads), timing, context);
   });
   return result;
 }
@@ -147,7 +147,7 @@ Result run(BenchEngineOptions const& options, Context const& context) {
   sdpd::for_method(options.method, [&](auto type) { made.emplace(make(type, options, threads)); });
   auto& simulation = made.value();
   // A disordered start settles first: lists, densities and caches are then those of a fluid.
-  sdpd::equilibrate(simulation, 64, [] { return true; });
+  settle(simulation);
   std::vector<double> cost;
   double const work = static_cast<double>(simulation.size()) * options.steps;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
@@ -209,7 +209,8 @@ void declare(CLI::App& app, BenchEngineOptions& options) {
       ->excludes("--faces", "--detonation");
   add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
   add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
-  add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given");
+  add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given; with --faces, --detonation and --on-ranks their mean, and "
+              "the ratio with its standard error");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "md/error.hpp"
 #include "workflows/command/options.hpp"
+#include "workflows/ranks.hpp"
 #include "workflows/scene/tolerance.hpp"
 #include "workflows/sdpd/lammps_run.hpp"
 #include "workflows/sdpd/run_checks.hpp"
@@ -25,10 +26,10 @@ struct CheckOptions {
   bool keys = false;
 };
 
-std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, int threads) {
+std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, std::string const& on) {
   auto text =
-      fmt::format("\n# about {} on {} thread(s), {} of memory, {} on the disk; {:.0f} neighbours a particle",
-                  duration_text(cost.seconds), threads, bytes_text(cost.bytes), bytes_text(disk.total()),
+      fmt::format("\n# about {} on {}, {} of memory, {} on the disk; {:.0f} neighbours a particle",
+                  duration_text(cost.seconds), on, bytes_text(cost.bytes), bytes_text(disk.total()),
                   cost.neighbours);
   if (cost.study_seconds > 0)
     text += fmt::format("\n# of that time {} to find the time step", duration_text(cost.study_seconds));
@@ -68,7 +69,11 @@ Result check(CheckOptions const& options, Context const& context) {
   require(!options.scene.empty(), "SCENE", "''", "a scene file is needed (or --keys)");
   int const threads = context.options.threads.value_or(available_threads());
   Scene const scene = load_run(options.scene, options.overrides, threads, engine_named(options.engine));
-  auto const cost = estimate_cost(scene, threads, engine_named(options.engine));
+  int const ranks = ranks_of(context);
+  auto const engine = engine_named(options.engine);
+  auto const cost = estimate_cost(scene, threads, engine, ranks);
+  auto const on =
+      engine == Engine::lammps ? fmt::format("{} rank(s)", ranks) : fmt::format("{} thread(s)", threads);
   auto const disk = estimate_disk(scene);
   auto const settings = settings_for_check(scene, threads);
   auto warnings = shortages(cost, disk, results_folder(context.options.output, scene, options.scene));
@@ -94,7 +99,7 @@ Result check(CheckOptions const& options, Context const& context) {
                          {"estimated_disk_checkpoint_bytes", disk.checkpoint}},
                 .text = resolved +
                         (regions.empty() ? "" : fmt::format("\n# {}", fmt::join(regions, "\n# "))) +
-                        cost_text(cost, disk, threads),
+                        cost_text(cost, disk, on),
                 .complaint = ""};
   if (wants_trials_of_viscosity(scene)) {
     result.json["eta_plan"] = plan_of_viscosity_trials(scene);

@@ -3,12 +3,12 @@
 #include "sdpd/lammps/fluid_styles.hpp"
 #include "sdpd/lammps/lammps_engine.hpp"
 #include "workflows/lammps_plugin/texts.hpp"
+#include "workflows/scene/resolved_lines.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/settings.hpp"
 #include "workflows/text_file.hpp"
 #include <algorithm>
 #include <fmt/ranges.h>
-#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
@@ -17,16 +17,13 @@ namespace fs = std::filesystem;
 
 /// A resolved scene in which one key, "section.name", has another text.
 std::string with_value(std::string const& resolved, std::string const& key, std::string const& value) {
-  std::istringstream lines(resolved);
-  std::string text, section;
+  std::string text;
   bool found = false;
-  for (std::string line; std::getline(lines, line); text += line + "\n") {
-    if (line.starts_with('['))
-      section = line.substr(1, line.find(']') - 1) + ".";
-    else if (auto const equals = line.find(" = ");
-             equals != line.npos && section + line.substr(0, equals) == key)
-      line = line.substr(0, equals) + " = \"" + value + "\"", found = true;
-  }
+  for_each_resolved_line(resolved, [&](auto const& line, auto const& path, auto const& old) {
+    bool const other = path == key;
+    text += other ? line.substr(0, line.size() - old.size()) + '"' + value + "\"\n" : line + "\n";
+    found |= other;
+  });
   if (!found)
     throw std::logic_error("a resolved scene does not say its file " + key);
   return text;

@@ -58,19 +58,27 @@ double work_of_viscosity_trials(Scene const& scene) {
   return sdpd::steps_of_realised_viscosity(settings) * static_cast<double>(settings.particle_count());
 }
 
+/// Time of a step inside LAMMPS on one rank over that of the built-in engine on one thread, by pairs in turn and
+/// all at once (sdpd/README.md, On many ranks).
+double inside_over_built_in(Scene const& scene) {
+  return scene.scheme.name == "ser" ? 1.2 : 3;
+}
+
 } // namespace
 
-CostEstimate estimate_cost(Scene const& scene, int threads, Engine engine) {
+CostEstimate estimate_cost(Scene const& scene, int threads, Engine engine, int ranks) {
   auto const settings = settings_of(scene, threads);
   double const h = settings.range() / settings.spacing();
   double const neighbours = 4 * std::numbers::pi / 3 * h * h * h;
   double const pairs = static_cast<double>(particles_of(scene)) * neighbours / 2;
   double const seconds_per_work = neighbours / 2 * ns_per_pair * 1e-9 / threads;
+  double const run = seconds_per_work * work_of(scene) *
+                     (engine == Engine::lammps ? inside_over_built_in(scene) * threads / ranks : 1);
   double const calibration = seconds_per_work * work_of_calibration(scene),
                viscosity = seconds_per_work * work_of_viscosity_trials(scene),
                study = seconds_per_work * work_of_study(scene);
   return {.neighbours = neighbours,
-          .seconds = seconds_per_work * work_of(scene) + calibration + viscosity + study,
+          .seconds = run + calibration + viscosity + study,
           .calibration_seconds = calibration,
           .viscosity_seconds = viscosity,
           .study_seconds = study,

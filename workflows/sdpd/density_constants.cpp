@@ -100,16 +100,6 @@ sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::functio
   }
 }
 
-std::string fluid_identity(Scene const& scene) {
-  Scene fluid = scene;
-  fluid.title.clear();
-  fluid.particles.calibration_steps = 0;
-  fluid.run = {.seed = scene.run.seed, .thermostat = scene.run.thermostat, .bath_rate = scene.run.bath_rate};
-  fluid.profile = {}, fluid.histogram = {}, fluid.series = {}, fluid.film = {};
-  fluid.output = {};
-  return sha256(fmt::format("{}\n{}{}", resolved_toml(fluid), git_commit(), input_hashes(scene)));
-}
-
 std::string calibration_identity(Scene const& scene) {
   return sha256(fmt::format("{}\n{}", fluid_identity(scene), calibration_steps(scene)));
 }

@@ -25,9 +25,6 @@ sdpd::SimulationSettings calibrated_settings(Scene const& scene, int threads);
 /// Finds them on the scene's own fluid. Throws as calibrate_density.
 sdpd::DensityCalibration calibrate(Scene const& scene, int threads, std::function<bool()> const& keep_going);
 
-/// What trials of a scene's fluid are made of: not the length and the output of its run.
-std::string fluid_identity(Scene const& scene);
-
 /// What a calibration is made of: scenes of which this is the same have the same constants.
 std::string calibration_identity(Scene const& scene);
 

@@ -3,7 +3,6 @@
 #include "sdpd/lammps/lammps_engine.hpp"
 #include "workflows/ranks.hpp"
 #include "workflows/shared_options.hpp"
-#include <cstdlib>
 
 namespace mesobridge::workflows {
 namespace {
@@ -11,8 +10,7 @@ namespace {
 /// The same call on ranks, of which the first tells the result.
 void start_ranks(Context const& context, std::filesystem::path const& directory) {
   constexpr int by_signal = 128; // and more: how shells tell of it
-  // A rank that waits for another leaves it the processor, which they may have to share.
-  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+  yield_when_idle();
   try {
     run_on_ranks(ranks_of(context), context.arguments);
   } catch (AlreadyReported const& end) {

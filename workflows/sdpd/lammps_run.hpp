@@ -1,5 +1,4 @@
 #pragma once
-#include "workflows/sdpd/run_checks.hpp"
 #include "workflows/sdpd/run_scene.hpp"
 
 namespace CLI {
@@ -10,10 +9,6 @@ namespace mesobridge::workflows {
 
 /// --engine: built-in or lammps.
 void add_engine(CLI::App& app, std::string& engine);
-
-inline Engine engine_named(std::string const& name) {
-  return name == "lammps" ? Engine::lammps : Engine::built_in;
-}
 
 /// Runs a scene by LAMMPS on MPI ranks. The first rank does `run` with the engine, and its result is told;
 /// the others take part in its steps. Where no rank runs yet, this program is started again on --ranks of

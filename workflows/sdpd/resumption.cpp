@@ -1,6 +1,7 @@
 #include "workflows/sdpd/resumption.hpp"
 #include "fitting/toml_reader.hpp"
 #include "workflows/scene/keys.hpp"
+#include "workflows/scene/resolved_lines.hpp"
 #include "workflows/sdpd/density_constants.hpp"
 #include "workflows/sdpd/scene_inputs.hpp"
 #include "workflows/sdpd/viscosity_of_pairs.hpp"
@@ -10,7 +11,6 @@
 #include <charconv>
 #include <fmt/ranges.h>
 #include <map>
-#include <sstream>
 
 namespace mesobridge::workflows {
 namespace {
@@ -20,17 +20,10 @@ using Values = std::map<std::string, std::string>;
 
 Values values_of(std::string const& resolved) {
   Values values;
-  std::istringstream lines(resolved);
-  std::string section;
-  int regions = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "[[region]]")
-      section = fmt::format("region.{}.", ++regions);
-    else if (line.starts_with('['))
-      section = line.substr(1, line.find(']') - 1) + ".";
-    else if (auto const equals = line.find(" = "); equals != std::string::npos)
-      values[section + line.substr(0, equals)] = line.substr(equals + 3);
-  }
+  for_each_resolved_line(resolved, [&](auto const&, auto const& path, auto const& value) {
+    if (!path.empty())
+      values[path] = value;
+  });
   return values;
 }
 

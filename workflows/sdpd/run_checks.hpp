@@ -1,4 +1,5 @@
 #pragma once
+#include "workflows/sdpd/engine.hpp"
 #include "workflows/sdpd/settings.hpp"
 
 namespace mesobridge::workflows {
@@ -12,9 +13,6 @@ sdpd::SimulationSettings settings_for_check(Scene const& scene, int threads);
 /// want. It takes the same short time for any number of particles. Throws InputError that names the key;
 /// PhysicsError when the model has no such state.
 void check_run(Scene const& scene, int threads);
-
-/// Who advances the particles: the engine of this program, or the same physics inside LAMMPS on MPI ranks.
-enum class Engine { built_in, lammps };
 
 /// Reads a scene that is to be run: load_scene and check_run, whose messages then name the file. What the
 /// engine cannot run is refused likewise.

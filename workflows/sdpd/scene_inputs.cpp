@@ -34,4 +34,14 @@ std::string input_hashes(Scene const& scene) {
   return text;
 }
 
+std::string fluid_identity(Scene const& scene) {
+  Scene fluid = scene;
+  fluid.title.clear();
+  fluid.particles.calibration_steps = 0;
+  fluid.run = {.seed = scene.run.seed, .thermostat = scene.run.thermostat, .bath_rate = scene.run.bath_rate};
+  fluid.profile = {}, fluid.histogram = {}, fluid.series = {}, fluid.film = {};
+  fluid.output = {};
+  return sha256(fmt::format("{}\n{}{}", resolved_toml(fluid), git_commit(), input_hashes(scene)));
+}
+
 } // namespace mesobridge::workflows

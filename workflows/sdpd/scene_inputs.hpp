@@ -17,4 +17,7 @@ std::vector<InputFile> scene_inputs(Scene const& scene);
 /// The hashes of all, a line each with its key: what is made of the scene is made of these, too.
 std::string input_hashes(Scene const& scene);
 
+/// What trials of a scene's fluid are made of: not the length and the output of its run.
+std::string fluid_identity(Scene const& scene);
+
 } // namespace mesobridge::workflows

@@ -38,7 +38,7 @@ void require_whole_energy(cg::BlobFrame const& frame, double mass, std::filesyst
 
 /// What LAMMPS takes for constants in the units of a force field.
 md::UnitConstants constants_of(md::MpiWorld const& world, md::MoleculeMelt const& melt) {
-  md::LammpsSession lammps(world, md::Ranks::own, "/dev/null");
+  md::LammpsSession lammps(world, md::Ranks::own, {});
   lammps.command("units {}", melt.system().units);
   return lammps.unit_constants();
 }

@@ -106,14 +106,15 @@ struct Limit {
   }
 };
 
+constexpr double farthest = 4; ///< a power law is not believed farther below the time steps that were run
+
 /// False when the target cannot be met.
 bool limit_by_drift(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
-  if (of.drift.known()) {
-    limit.lower(of.drift.x_surely_below(wanted), "the wanted energy drift");
-    constexpr double farthest = 4; // a power law is not believed farther below the time steps that were run
+  if (double const dt = of.drift.known() ? of.drift.x_surely_below(wanted) : 0; dt > 0) {
+    limit.lower(dt, "the wanted energy drift");
     return limit.dt * farthest >= of.drift.x_min;
   }
-  double largest = 0; // rates that are not resolved: what they can be at most
+  double largest = 0; // rates or an exponent that are not resolved: what the rates can be at most
   for (std::size_t k = 0; k < of.trials.size(); ++k) {
     auto const drift = of.trials[k].drift();
     if (!of.trials[k].failed() && of.trials[k].knows_drift() && drift.rate + 2 * drift.se <= wanted)
@@ -139,18 +140,22 @@ void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted
 }
 
 /// Of temperatures that rise by the energy's drift over the scene's own steps, where nothing takes it out; a
-/// drift whose law is not known limits nothing.
-void limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
-  if (!of.drift.known() || of.K == 0)
-    return;
+/// drift whose law is not known limits nothing. False when the target cannot be met.
+bool limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
+  if (!of.drift.known())
+    return true;
   auto const& trial = *std::ranges::find_if(of.trials, [](auto const& one) { return !one.failed(); });
   auto heating = of.drift; // rate times dt
   heating.exponent.mean += 1;
-  double const share = wanted * trial.heat_capacity / (of.K * std::abs(trial.E_0)); // of the energy
+  double const K = of.K > 0 ? of.K : 1; // k_B is 1/K, and 1 without sizes
+  double const share = wanted * trial.heat_capacity / (K * std::abs(trial.E_0)); // of the energy
   if (!(share > 0 && std::isfinite(share)))
-    return;
-  if (double const dt = heating.x_surely_below(share / static_cast<double>(found.scene.run.steps)); dt > 0)
-    limit.lower(dt, "the wanted bias over the run's length");
+    return true;
+  double const dt = heating.x_surely_below(share / static_cast<double>(found.scene.run.steps));
+  if (!(dt > 0))
+    return true;
+  limit.lower(dt, "the wanted bias over the run's length");
+  return dt * farthest >= of.drift.x_min;
 }
 
 } // namespace
@@ -255,7 +260,8 @@ std::optional<Recommendation> largest_dt(TradeOff const& found, std::size_t inde
     return std::nullopt;
   if (target.bias) {
     limit_by_bias(found, of, *target.bias, limit);
-    limit_by_heating(found, of, *target.bias, limit);
+    if (!limit_by_heating(found, of, *target.bias, limit))
+      return std::nullopt;
   }
   if (target.dynamics)
     limit.lower(largest_dynamic_dt(found, of, *target.dynamics), "the wanted dynamics");

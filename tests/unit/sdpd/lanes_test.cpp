@@ -1,5 +1,7 @@
+#include "sdpd/kinetics/arrhenius.hpp"
 #include "sdpd/simd/lane_math.hpp"
 #include <gtest/gtest.h>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -154,6 +156,15 @@ TEST(ExpUpToOne, IsRightToSinglePrecision) {
   for (double x = -70; x < 2; x += 0.0137, ++checked)
     EXPECT_NEAR(exp_up_to_one(constant<FloatLanes>(x))[2], std::exp(std::min(x, 0.0)), 1.2e-7);
   EXPECT_GT(checked, 5000);
+}
+
+TEST(Exponentials, LeaveANaNOne) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(minus_expm1(constant<FloatLanes>(nan))[0]));
+  EXPECT_TRUE(std::isnan(minus_expm1(constant<WideFloats>(nan))[0]));
+  EXPECT_TRUE(std::isnan(minus_expm1(broadcast(nan))[0]));
+  EXPECT_TRUE(std::isnan(exp_up_to_one(constant<FloatLanes>(nan))[0]));
+  EXPECT_TRUE(std::isnan((Arrhenius{1, 1})(broadcast(nan))[0]));
 }
 
 } // namespace

@@ -44,13 +44,21 @@ TEST(ViscosityFloor, IsWhatIsLeftWithoutFrictionWhereTrialsFallTowardsLess) {
   std::mt19937_64 generator(3);
   auto const falling = viscosity_floor(trials_at({30, 12, 4.8, 1.9}, 0.1, generator), 0.4);
   EXPECT_FALSE(falling.between);
-  EXPECT_DOUBLE_EQ(falling.pairs, 0.4);
+  EXPECT_EQ(falling.pairs, 0.4);
   EXPECT_NEAR(falling.realised.se, std::hypot(0.1, 0.75), 1e-12);
   EXPECT_NEAR(falling.realised.mean, truth(1.9) - 1.5, 0.5);
   auto const bounded = viscosity_floor(trials_at({4.8, 1.9}, 0.1, generator), 1.9);
   EXPECT_DOUBLE_EQ(bounded.pairs, 1.9);
   EXPECT_NEAR(bounded.realised.se, 0.1, 1e-12);
   EXPECT_FALSE(viscosity_floor(trials_at({1, 0.5, 0.502}, 1e-6, generator), 0).between);
+}
+
+TEST(ViscosityFloor, IsJudgedByAllTrialsOfTheLeastFriction) {
+  std::vector<ViscosityTrial> const trials{{1.9, {6, 0.5, 40}}, {1.9, {6, 0.05, 200}}};
+  auto const floor = viscosity_floor(trials, 1.9);
+  EXPECT_EQ(floor.pairs, 1.9);
+  EXPECT_NEAR(floor.realised.mean, 6, 1e-9);
+  EXPECT_LT(floor.realised.se, 0.051);
 }
 
 } // namespace

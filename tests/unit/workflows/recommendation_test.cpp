@@ -69,6 +69,31 @@ TEST(TradeOff, LimitsTheTimeStepByBiasAndByStability) {
   EXPECT_FALSE(largest_dt(found, 1, {.drift = 1e-3}));
 }
 
+TEST(TradeOff, TakesWhatRatesCanBeAtMostWhereTheirExponentIsNotResolved) {
+  auto found = two_schemes();
+  auto& of = found.configurations[0];
+  of.drift.exponent = {0.15, 0.45, 3};
+  auto const dt = largest_dt(found, 0, {.drift = 1e-4}); // 1e-3 dt^4 is 2.56e-5 at the largest
+  ASSERT_TRUE(dt);
+  EXPECT_EQ(dt->dt, 0.4);
+  EXPECT_FALSE(largest_dt(found, 0, {.drift = 1e-9}));
+}
+
+TEST(TradeOff, LimitsTheTimeStepByHeatingWithoutSizesAndRefusesWhatLiesFarBelow) {
+  auto found = two_schemes();
+  found.scene.run.steps = 1'000'000;
+  auto& of = found.configurations[0];
+  of.K = 0; // as of DPDE, whose k_B is 1
+  for (auto& one : of.trials)
+    one.heat_capacity = 1.5, one.E_0 = 3;
+  auto const heated = largest_dt(found, 0, {.bias = 0.01});
+  ASSERT_TRUE(heated);
+  EXPECT_EQ(heated->because, "the wanted bias over the run's length");
+  EXPECT_NEAR(heated->dt, std::pow(5e-6, 0.2), 0.01);
+  found.scene.run.steps = 1'000'000'000'000; // dt^5 = 5e-12 is 20 times shorter than all that were run
+  EXPECT_FALSE(largest_dt(found, 0, {.bias = 0.01}));
+}
+
 TEST(TradeOff, LimitsTheTimeStepByTheHeatingOfAWholeRun) {
   auto found = two_schemes();
   found.scene.run.steps = 1'000'000;
