@@ -72,4 +72,10 @@ void thermodynamics_from_energy(System& system) {
   });
 }
 
+void temperature_from_energy(System& system) {
+  renew_thermodynamics(system, [&](auto const& of, Range range, Failure& failure) {
+    of.temperature_from_energy(system.particles, range, failure);
+  });
+}
+
 } // namespace mesobridge::sdpd

@@ -27,6 +27,8 @@ void response_from_temperature(System& system);
 
 /// T, S and P of every particle from its internal energy and its density.
 void thermodynamics_from_energy(System& system);
+/// T and S alone of the energies, where no pressure is asked for.
+void temperature_from_energy(System& system);
 
 /// Conservative forces f_i = sum_j m_i m_j (P_i/rho_i^2 + P_j/rho_j^2) F_ij r_ij (Eq. (S9)) and their virial.
 void find_forces(System& system);

@@ -106,10 +106,11 @@ void react_from_the_start(System& system, Law const& law, double dt) {
   }
 }
 
-/// The rates after half of the time h from the start at those of now.
+/// The rates after half of the time h from the start at those of now; those of second order ask for no
+/// pressures.
 void find_rates_in_the_middle(System& system, SecondOrder const& law, double h) {
   advance(system, 0.5 * h);
-  thermodynamics_from_energy(system);
+  temperature_from_energy(system);
   find_rates(system, law, h);
 }
 

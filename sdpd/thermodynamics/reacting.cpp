@@ -44,6 +44,15 @@ class Reacting final : public Thermodynamics {
         [&](PackedPlaces const& places) { return mixed_.from_energy(of, places); },
         [&](std::size_t i) { from_energy(of, i, failure); });
   }
+  void temperature_from_energy(Particles& of, Range range, Failure& failure) const override {
+    for_each_run(
+        of, range, [&](auto const& pure, Range run) { pure.temperature_from_energy(of, run, failure); },
+        [&](Range run) {
+          solve(
+              of, run, failure, [&](PackedPlaces const& places) { return mixed_.from_energy(of, places); },
+              [&](std::size_t i) { from_energy(of, i, failure); }, [](PackedPlaces const&) {});
+        });
+  }
   void response(Particles& of, Range range, Failure& failure) const override {
     renew(
         of, range, failure, [&](auto const& pure, Range run) { pure.response(of, run, failure); },
@@ -189,17 +198,25 @@ class Reacting final : public Thermodynamics {
       failure.report(of.id[i], error.what());
     }
   }
-  /// Calls pure(model, run) for pure particles. Mixtures are done many at once: solve(places) says which
-  /// lanes it has solved, the others go the careful way, alone(i), one by one, so that what becomes of a
-  /// particle does not depend on its neighbours in memory.
-  template <class Pure, class Solve, class Alone>
-  void renew(Particles& of, Range range, Failure& failure, Pure const& pure, Solve const& solve,
+  /// Mixtures are done many at once: `some` of places says which lanes it has solved, the others go the
+  /// careful way, alone(i), one by one, so that what becomes of a particle does not depend on its neighbours in
+  /// memory. then(places) follows.
+  template <class Some, class Alone, class Then>
+  static void solve(Particles const& of, Range run, Failure& failure, Some const& some, Alone const& alone,
+                    Then const& then) {
+    for (std::size_t first = run.begin; first < run.end; first += fitting::Pack::size) {
+      PackedPlaces const places(first, run.end);
+      places.for_each_outside(some(places),
+                              [&](std::size_t i) { reported(of, i, failure, [&] { alone(i); }); });
+      then(places);
+    }
+  }
+  /// Calls pure(model, run) for pure particles, solves the mixtures and finds what they answer.
+  template <class Pure, class Some, class Alone>
+  void renew(Particles& of, Range range, Failure& failure, Pure const& pure, Some const& some,
              Alone const& alone) const {
     for_each_run(of, range, pure, [&](Range run) {
-      for (std::size_t first = run.begin; first < run.end; first += fitting::Pack::size) {
-        PackedPlaces const places(first, run.end);
-        places.for_each_outside(solve(places),
-                                [&](std::size_t i) { reported(of, i, failure, [&] { alone(i); }); });
+      solve(of, run, failure, some, alone, [&](PackedPlaces const& places) {
         places.for_each_outside(mixed_.response(of, places), [&](std::size_t i) {
           if (kind_of(of, i) == Kind::mixed) // and has not just become a lone reactant
             reported(of, i, failure, [&] {
@@ -207,7 +224,7 @@ class Reacting final : public Thermodynamics {
               of.P[i] = found.P, of.caloric[i] = found.caloric;
             });
         });
-      }
+      });
     });
   }
   /// Calls pure(model, run) and mixed(run) for neighbours in memory of the same kind.

@@ -48,6 +48,9 @@ PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at)
   }
 }
 
+/// What is found of a particle beside T and its other given quantity: P and the caloric expansion, or nothing.
+enum class Renewed { state, state_and_response };
+
 template <fitting::EquationOfState Eos>
 class ThermodynamicsOf final : public Thermodynamics, public HeatedStates {
  public:
@@ -58,6 +61,9 @@ class ThermodynamicsOf final : public Thermodynamics, public HeatedStates {
   }
   void from_energy(Particles& particles, Range range, Failure& failure) const override {
     renew<FromEnergy>(particles, range, failure);
+  }
+  void temperature_from_energy(Particles& particles, Range range, Failure& failure) const override {
+    renew<FromEnergy, Renewed::state>(particles, range, failure);
   }
   void response(Particles& particles, Range range, Failure& failure) const override {
     renew<FromTemperature>(particles, range, failure);
@@ -97,30 +103,32 @@ class ThermodynamicsOf final : public Thermodynamics, public HeatedStates {
       failure.report(particles.id[i], error.what());
     }
   }
-  template <class From>
+  template <class From, Renewed renewed = Renewed::state_and_response>
   void renew(Particles& particles, Range range, Failure& failure) const {
     if constexpr (fitting::PackedModel<Eos>) {
       for (std::size_t first = range.begin; first < range.end; first += Pack::size)
-        renew<From>(particles, PackedPlaces(first, range.end), failure);
+        renew<From, renewed>(particles, PackedPlaces(first, range.end), failure);
     } else {
       for (std::size_t i = range.begin; i < range.end; ++i)
         reported(particles, i, failure, [&](auto const& at) {
           solve<From>(particles, i, at);
-          set_response(particles, i, at);
+          if constexpr (renewed == Renewed::state_and_response)
+            set_response(particles, i, at);
         });
     }
   }
   /// Lanes that fail go the careful way, one by one, so that what becomes of a particle does not depend on
   /// its neighbours in memory.
-  template <class From>
+  template <class From, Renewed renewed>
   void renew(Particles& particles, PackedPlaces const& places, Failure& failure) const {
     auto const at = eos_.at(places.load(particles.rho));
     places.for_each_outside(solve<From>(particles, places, at), [&](std::size_t i) {
       reported(particles, i, failure, [&](auto const& alone) { solve<From>(particles, i, alone); });
     });
-    places.for_each_outside(set_responses(particles, places, at), [&](std::size_t i) {
-      reported(particles, i, failure, [&](auto const& alone) { set_response(particles, i, alone); });
-    });
+    if constexpr (renewed == Renewed::state_and_response)
+      places.for_each_outside(set_responses(particles, places, at), [&](std::size_t i) {
+        reported(particles, i, failure, [&](auto const& alone) { set_response(particles, i, alone); });
+      });
   }
   /// Not inlined, both: a restart must find the bits of the stopped run, and only the same machine code
   /// rounds alike.

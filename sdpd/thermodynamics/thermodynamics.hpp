@@ -43,6 +43,10 @@ class Thermodynamics {
   virtual void from_entropy(Particles& particles, Range range, Failure& failure) const = 0;
   /// T, S, P and the caloric expansion from the energy and the density.
   virtual void from_energy(Particles& particles, Range range, Failure& failure) const = 0;
+  /// T and S alone, where no pressure is asked for: P and the caloric expansion may stay as they are.
+  virtual void temperature_from_energy(Particles& particles, Range range, Failure& failure) const {
+    from_energy(particles, range, failure);
+  }
   /// P and the caloric expansion from the temperature and the density, energies and entropies untouched: what
   /// a restart needs to find the very numbers that the stopped run held.
   virtual void response(Particles& particles, Range range, Failure& failure) const = 0;
