@@ -1,5 +1,6 @@
 #include "sdpd/thermodynamics/reacting.hpp"
 #include "sdpd_fixtures.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -94,6 +95,34 @@ TEST_P(EveryCentreOfMass, GoesOverIntoThePureParticles) {
     EXPECT_NE(particles.T[1], particles.T[0]);
     EXPECT_NEAR(particles.P[1], particles.P[0], 1e-3 * particles.P[0]);
     EXPECT_NEAR(particles.caloric[1].inverse_C_0 / particles.caloric[0].inverse_C_0, 1, 2e-3);
+  }
+}
+
+// Pure particles and mixtures of every progress, whole packs of them and what is left over.
+TEST_P(EveryCentreOfMass, HasTheSameTemperatureWithoutPressures) {
+  auto const of = units(20);
+  auto const reacting = make_reacting_thermodynamics(models, of, GetParam());
+  constexpr std::size_t count = 61;
+  Particles whole;
+  whole.resize(count, {.reacts = true});
+  for (std::size_t i = 0; i < count; ++i) {
+    whole.id[i] = static_cast<std::uint32_t>(i);
+    whole.progress[i] = i < 20 ? 0 : i < 50 ? 0.03 * static_cast<double>(i - 19) : 1;
+    whole.rho[i] = 0.9 + 0.003 * static_cast<double>(i), whole.T[i] = 1.2, whole.log_density_ratio[i] = 0;
+  }
+  Failure failure;
+  reacting->energy_from_temperature(whole, {0, count}, failure);
+  std::ranges::fill(whole.T, 1.1);
+  auto alone = whole;
+  reacting->from_energy(whole, {0, count}, failure);
+  reacting->temperature_from_energy(alone, {0, count}, failure);
+  ASSERT_FALSE(failure.any()) << failure.message();
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_NEAR(whole.T[i], 1.2, 1e-9) << i;
+    EXPECT_EQ(alone.T[i], whole.T[i]) << i;
+    EXPECT_EQ(alone.S[i], whole.S[i]) << i;
+    EXPECT_EQ(alone.log_density_ratio[i], whole.log_density_ratio[i]) << i;
+    EXPECT_EQ(alone.P[i], 0) << i;
   }
 }
 

@@ -173,6 +173,20 @@ TEST_P(PackedParticles, DoNotFeelTheirNeighboursInMemoryNorARestart) {
   }
 }
 
+TEST_P(PackedParticles, HaveTheSameTemperaturesWithoutPressures) {
+  auto const of = make_thermodynamics(eos(), units());
+  auto whole = scattered_states(*of, 203, 0.2), alone = whole;
+  Failure failure;
+  of->from_energy(whole, {0, whole.size()}, failure);
+  of->temperature_from_energy(alone, {0, alone.size()}, failure);
+  ASSERT_FALSE(failure.any()) << failure.message();
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(alone.T[i], whole.T[i]) << i;
+    EXPECT_EQ(alone.S[i], whole.S[i]) << i;
+    EXPECT_EQ(alone.P[i], 0) << i;
+  }
+}
+
 TEST_P(PackedParticles, OutsideTheModelAreReportedAndTheOthersGoOn) {
   auto const of = make_thermodynamics(eos(), units());
   auto many = scattered_states(*of, 24, 1);
