@@ -141,7 +141,8 @@ void limit_by_bias(TradeOff const& found, Configuration const& of, double wanted
 
 /// Of temperatures that rise by the energy's drift over the scene's own steps, where nothing takes it out; a
 /// drift whose law is not known limits nothing. False when the target cannot be met.
-bool limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, Limit& limit) {
+bool limit_by_heating(TradeOff const& found, Configuration const& of, double wanted, std::string const& what,
+                      Limit& limit) {
   if (!of.drift.known())
     return true;
   auto const& trial = *std::ranges::find_if(of.trials, [](auto const& one) { return !one.failed(); });
@@ -154,7 +155,7 @@ bool limit_by_heating(TradeOff const& found, Configuration const& of, double wan
   double const dt = heating.x_surely_below(share / static_cast<double>(found.scene.run.steps));
   if (!(dt > 0))
     return true;
-  limit.lower(dt, "the wanted bias over the run's length");
+  limit.lower(dt, what + " over the run's length");
   return dt * farthest >= of.drift.x_min;
 }
 
@@ -260,11 +261,14 @@ std::optional<Recommendation> largest_dt(TradeOff const& found, std::size_t inde
     return std::nullopt;
   if (target.bias) {
     limit_by_bias(found, of, *target.bias, limit);
-    if (!limit_by_heating(found, of, *target.bias, limit))
+    if (!limit_by_heating(found, of, *target.bias, "the wanted bias", limit))
       return std::nullopt;
   }
-  if (target.dynamics)
+  if (target.dynamics) {
     limit.lower(largest_dynamic_dt(found, of, *target.dynamics), "the wanted dynamics");
+    if (!limit_by_heating(found, of, *target.dynamics, "the wanted dynamics", limit)) // D goes as T
+      return std::nullopt;
+  }
   double const dt = rounded_down(limit.dt);
   return Recommendation{.configuration = index,
                         .dt = dt,

@@ -8,6 +8,7 @@
 #include "workflows/study/dynamics.hpp"
 #include <gtest/gtest.h>
 #include <iostream>
+#include <limits>
 
 // Does a longer run of another seed, in another box, keep what dt = "auto" was asked to keep?
 
@@ -109,7 +110,7 @@ Found found_drift(ScenePart const& part, Scene const& scene, LongRun const& run)
 
 /// The worst of the temperatures, and of the pressure beside a run of shorter steps.
 Found found_bias(LongRun const& run, LongRun const& shorter, double wanted) {
-  Found worst{0, 0, wanted};
+  Found worst{0, std::numeric_limits<double>::infinity(), wanted}; // any other is surely more
   for (auto const& one : {run.means.T_kin, run.means.T_int, ratio(run.means.P, shorter.means.P)})
     if (Found const now{std::abs(one.mean - 1), one.se, wanted}; now.surely() > worst.surely())
       worst = now;

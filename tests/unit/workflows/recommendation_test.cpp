@@ -111,6 +111,25 @@ TEST(TradeOff, LimitsTheTimeStepByTheHeatingOfAWholeRun) {
   EXPECT_EQ(unknown->because, "the wanted bias");
 }
 
+// A fluid that is warmer by 6 % diffuses faster by as much.
+TEST(TradeOff, LimitsTheTimeStepForTheDynamicsByHeatingToo) {
+  auto found = two_schemes();
+  found.scene = parse_scene(tests::SdpdScene{}.text(), "s.toml");
+  auto& of = found.configurations[0];
+  for (auto& one : of.trials)
+    one.heat_capacity = 1.5 * 10, one.E_0 = 3, one.D = {3, 1e-3, 100}; // whatever the step
+  found.scene.run.steps = 1;
+  auto const cold = largest_dt(found, 0, {.dynamics = 0.06});
+  ASSERT_TRUE(cold);
+  EXPECT_GT(cold->dt, 0.2);
+  found.scene.run.steps = 1'000'000; // 2e-3 dt^4 (10^6 dt) of T: 6 % at dt^5 = 3e-5
+  auto const heated = largest_dt(found, 0, {.dynamics = 0.06});
+  ASSERT_TRUE(heated);
+  EXPECT_EQ(heated->because, "the wanted dynamics over the run's length");
+  EXPECT_NEAR(heated->dt, std::pow(3e-5, 0.2), 0.01);
+  EXPECT_LE(heated->dt, std::pow(3e-5, 0.2));
+}
+
 TEST(TradeOff, LimitsTheTimeStepByWhatTrialsShowOfTheDiffusion) {
   auto found = two_schemes();
   found.scene = parse_scene(tests::SdpdScene{}.text(), "s.toml");
