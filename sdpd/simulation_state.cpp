@@ -108,8 +108,9 @@ void restore_reaction(System& system, std::vector<double> const& of) {
   std::size_t const rates = system.reaction && looks_back(*system.reaction) ? system.size() : 0,
                     numbers = system.reaction ? 1 + 2 * rates : 0;
   if (rates > 0 && of.size() == 1)
-    throw InputError("the checkpoint is of an earlier state of the program, which did not keep the rates of a "
-                     "reaction: begin anew with --force or in another folder");
+    throw InputError(
+        "the checkpoint is of an earlier state of the program, which did not keep the rates of a "
+        "reaction: begin anew with --force or in another folder");
   require(of.size() == numbers, "numbers of the reaction in the checkpoint", of.size(),
           fmt::format("must be {} as in the scene", numbers));
   for (double const number : of)

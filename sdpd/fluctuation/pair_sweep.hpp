@@ -38,9 +38,8 @@ class BlockSweep {
 
   BlockSweep(System& system, Block& block, PairInputs& inputs, BlockStrip& strip, Sweep<Law> const& sweep,
              PairCounts& counts, Failure& failure)
-      : system_(system),
-        heated_(expands ? system.thermodynamics->heated_states() : nullptr),
-        block_(block), inputs_(inputs), strip_(strip), sweep_(sweep), counts_(counts), failure_(failure) {}
+      : system_(system), heated_(expands ? system.thermodynamics->heated_states() : nullptr), block_(block),
+        inputs_(inputs), strip_(strip), sweep_(sweep), counts_(counts), failure_(failure) {}
 
   /// Sweeps one matching, whose inputs begin at `first`. False when a particle has left the equation of
   /// state.

@@ -66,7 +66,8 @@ ViscosityFloor without_friction(ViscosityTrial const& least, double least_pairs)
   constexpr double slope = 1, slope_error = .5;
   double const less = std::max(0.0, least.pairs - least_pairs);
   auto const& [mean, se, n_eff] = least.realised;
-  return {std::min(least.pairs, least_pairs), {mean - slope * less, std::hypot(se, slope_error * less), n_eff}};
+  return {std::min(least.pairs, least_pairs),
+          {mean - slope * less, std::hypot(se, slope_error * less), n_eff}};
 }
 
 } // namespace

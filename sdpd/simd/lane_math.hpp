@@ -18,7 +18,7 @@ template <class Integers, class Floats>
   constexpr float ln2_high = 0.693359375f, ln2_low = -2.12194440e-4f; // their sum is ln 2
   constexpr float to_integer = 12582912.0f;                           // 1.5 * 2^23: adding it rounds
   Floats const most = constant<Floats>(80);                           // exp(-80) is nothing beside 1
-  Floats const x = argument > most ? most : argument; // a NaN stays one
+  Floats const x = argument > most ? most : argument;                 // a NaN stays one
   Floats const shifted = x * 1.44269504f + to_integer, n = shifted - to_integer;
   Floats const f = (n * ln2_high - x) + n * ln2_low;
   Floats series = 1.0f / 720.0f + f * (1.0f / 5040.0f);

@@ -199,8 +199,8 @@ class Reacting final : public Thermodynamics {
     }
   }
   /// Mixtures are done many at once: `some` of places says which lanes it has solved, the others go the
-  /// careful way, alone(i), one by one, so that what becomes of a particle does not depend on its neighbours in
-  /// memory. then(places) follows.
+  /// careful way, alone(i), one by one, so that what becomes of a particle does not depend on its neighbours
+  /// in memory. then(places) follows.
   template <class Some, class Alone, class Then>
   static void solve(Particles const& of, Range run, Failure& failure, Some const& some, Alone const& alone,
                     Then const& then) {

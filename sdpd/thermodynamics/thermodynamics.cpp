@@ -48,7 +48,8 @@ PackMask solve(Particles& particles, PackedPlaces const& places, auto const& at)
   }
 }
 
-/// What is found of a particle beside T and its other given quantity: P and the caloric expansion, or nothing.
+/// What is found of a particle beside T and its other given quantity: P and the caloric expansion, or
+/// nothing.
 enum class Renewed { state, state_and_response };
 
 template <fitting::EquationOfState Eos>

@@ -75,7 +75,8 @@ Result time_on_ranks(sdpd::SimulationSettings const& settings, RanksTiming const
       return engine.serve();
     sdpd::Simulation simulation(settings);
     settle(simulation);
-    result = result_of(time_both(simulation, engine, timing), simulation, timing, world.size(), settings.threads);
+    result =
+        result_of(time_both(simulation, engine, timing), simulation, timing, world.size(), settings.threads);
   });
   return result;
 }

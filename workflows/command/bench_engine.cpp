@@ -209,8 +209,10 @@ void declare(CLI::App& app, BenchEngineOptions& options) {
       ->excludes("--faces", "--detonation");
   add_bounded(app, "--K", options.K, 2.0, 1e9, "size of a particle; for dpde its heat capacity in k_B");
   add_bounded(app, "--steps", options.steps, 1, 1000000, "steps of one measurement");
-  add_bounded(app, "--repeats", options.repeats, 1, 1000, "measurements, of which the median is given; with --faces, --detonation and --on-ranks their mean, and "
-              "the ratio with its standard error");
+  add_bounded(
+      app, "--repeats", options.repeats, 1, 1000,
+      "measurements, of which the median is given; with --faces, --detonation and --on-ranks their mean, and "
+      "the ratio with its standard error");
 }
 
 } // namespace

@@ -27,10 +27,9 @@ struct CheckOptions {
 };
 
 std::string cost_text(CostEstimate const& cost, DiskEstimate const& disk, std::string const& on) {
-  auto text =
-      fmt::format("\n# about {} on {}, {} of memory, {} on the disk; {:.0f} neighbours a particle",
-                  duration_text(cost.seconds), on, bytes_text(cost.bytes), bytes_text(disk.total()),
-                  cost.neighbours);
+  auto text = fmt::format("\n# about {} on {}, {} of memory, {} on the disk; {:.0f} neighbours a particle",
+                          duration_text(cost.seconds), on, bytes_text(cost.bytes), bytes_text(disk.total()),
+                          cost.neighbours);
   if (cost.study_seconds > 0)
     text += fmt::format("\n# of that time {} to find the time step", duration_text(cost.study_seconds));
   if (cost.calibration_seconds > 0)

@@ -17,7 +17,8 @@ struct CostEstimate {
 
 /// From the number of pairs: the time by the cost of a pair that `bench engine` finds on one core of the
 /// machines of 2026 (within a factor of two elsewhere), the memory by what the engine stores.
-/// Ranks are those of LAMMPS, for the run alone: all else is the built-in engine's on the threads of the first.
+/// Ranks are those of LAMMPS, for the run alone: all else is the built-in engine's on the threads of the
+/// first.
 CostEstimate estimate_cost(Scene const& scene, int threads, Engine engine = Engine::built_in, int ranks = 1);
 
 /// "3.2 GB".

@@ -35,18 +35,19 @@ Section flow_section(FlowOfRun const& flow, RunResult const& run) {
   bool const si = run.scene.units == UnitSystem::SI;
   bool const realised = run.scene.transport.eta_means == "realised";
   Table table{.header = comparison_header(),
-              .caption = realised ? "The steady flow, beside the viscosity that was asked for of the fluid that "
-                                    "flows (sdpd/README.md, Eqs. (S94), (S95))."
-                                  : "The steady flow, beside the viscosity that friction and motion have in a "
-                                    "fluid without structure (sdpd/README.md, Eq. (S55)); stiff fluids of large "
-                                    "particles have more."};
+              .caption = realised
+                             ? "The steady flow, beside the viscosity that was asked for of the fluid that "
+                               "flows (sdpd/README.md, Eqs. (S94), (S95))."
+                             : "The steady flow, beside the viscosity that friction and motion have in a "
+                               "fluid without structure (sdpd/README.md, Eq. (S55)); stiff fluids of large "
+                               "particles have more."};
   if (flow.sees_stress)
-    table.rows.push_back(comparison_row(with_unit("viscosity", "Pa s", si), flow.viscosity,
-                                        realised ? run.scene.transport.eta
-                                                 : sdpd::mean_field_viscosity(run.settings).sum()));
-  if (run.settings.features().densities)
     table.rows.push_back(
-        {with_unit("viscosity asked for", "Pa s", si), number_text(run.scene.transport.eta, 4), "", "", ""});
+        comparison_row(with_unit("viscosity", "Pa s", si), flow.viscosity,
+                       realised ? run.scene.transport.eta : sdpd::mean_field_viscosity(run.settings).sum()));
+  if (run.settings.features().densities)
+    table.rows.push_back({with_unit(realised ? "viscosity of the pairs" : "viscosity asked for", "Pa s", si),
+                          number_text(run.scene.transport.friction(), 4), "", "", ""});
   if (flow.slip_length)
     table.rows.push_back(
         {with_unit("slip length", "m", si), with_error_text(*flow.slip_length), "0", "", ""});

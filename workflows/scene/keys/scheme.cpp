@@ -53,7 +53,8 @@ std::vector<SceneKey> scheme_keys() {
              "kinetic "
              "energies (sdpd/README.md, Eq. (S73)); found by trials of the run's beginning"),
       scheme("bias", &Scene::Scheme::bias,
-             "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\", also by the energy that drifts "
+             "with dt = \"auto\": wanted bias of T_kin, T_int and P, such as \"0.5%\", also by the energy "
+             "that drifts "
              "over run.steps"),
       scheme(
           "dynamics", &Scene::Scheme::dynamics,
