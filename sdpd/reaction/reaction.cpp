@@ -106,11 +106,15 @@ void react_from_the_start(System& system, Law const& law, double dt) {
   }
 }
 
-/// The rates after half of the time h from the start at those of now; those of second order ask for no
-/// pressures.
-void find_rates_in_the_middle(System& system, SecondOrder const& law, double h) {
+/// The rates after half of one of `parts` of the time `left` from the start at those of now. They ask for no
+/// pressures, and a time step that is one part for no other heat capacities.
+void find_rates_in_the_middle(System& system, SecondOrder const& law, double left, double parts) {
+  double const h = left / parts;
   advance(system, 0.5 * h);
-  temperature_from_energy(system);
+  if (parts > 1)
+    thermodynamics_from_energy(system);
+  else
+    temperature_from_energy(system);
   find_rates(system, law, h);
 }
 
@@ -124,11 +128,11 @@ void react_by_earlier_rates(System& system, SecondOrder const& law, double dt, b
       find_rates(system, law, left);
     }
     double parts = parts_of(system, law, left);
-    find_rates_in_the_middle(system, law, left / parts);
+    find_rates_in_the_middle(system, law, left, parts);
     if (known)
       if (double const more = parts_of(system, law, left); more > parts) { // it has become faster
         parts = more;
-        find_rates_in_the_middle(system, law, left / parts);
+        find_rates_in_the_middle(system, law, left, parts);
       }
     double const h = left / parts;
     advance(system, h);
